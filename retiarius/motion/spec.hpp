@@ -1,0 +1,16 @@
+// What a mission says about time stepping ([integrator]): plain data.
+#pragma once
+
+namespace retiarius {
+
+enum class Method { implicit_euler, newmark, midpoint, static_solve };
+
+struct IntegratorSpec {
+  Method method = Method::implicit_euler;
+  double step = 0.01;         // h, s
+  double tolerance = 1.0e-8;  // of Newton's iteration
+  int max_iterations = 50;    // Newton iterations of one step before it is halved
+  int max_halvings = 10;      // of a step before the run fails
+};
+
+}  // namespace retiarius

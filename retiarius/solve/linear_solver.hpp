@@ -1,0 +1,37 @@
+// Direct solution of symmetric positive definite block systems: the face of every factorisation.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "retiarius/solve/block_matrix.hpp"
+
+namespace retiarius {
+
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  virtual std::string_view name() const = 0;
+
+  // Symbolic work: ordering, elimination tree, storage. Needed once for each pattern.
+  virtual void analyse(const BlockPattern& pattern) = 0;
+
+  // Factorises; false when the matrix is not positive definite (a pivot was not positive).
+  virtual bool factor(const BlockMatrix& matrix) = 0;
+
+  // Solves in place for one right-hand side, or several at once.
+  virtual void solve(std::vector<Vec3>& x) const = 0;
+
+  // Numbers of the analysis: nonzero scalars of the factor and floating-point operations.
+  virtual double factor_entries() const = 0;
+  virtual double factor_flops() const = 0;
+};
+
+// The slow readable reference: Eigen's simplicial LDLT on scalars.
+std::unique_ptr<LinearSolver> make_reference_solver();
+
+// Multifrontal 3x3-block Cholesky under nested dissection.
+std::unique_ptr<LinearSolver> make_multifrontal_solver();
+
+}  // namespace retiarius
