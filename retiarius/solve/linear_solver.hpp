@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "retiarius/solve/block_matrix.hpp"
+#include "retiarius/base/block_matrix.hpp"
 
 namespace retiarius {
 

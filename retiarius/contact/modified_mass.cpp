@@ -1,0 +1,222 @@
+#include "retiarius/contact/modified_mass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace retiarius {
+
+namespace {
+
+// A node enters contact when it is this share of its radius deeper than touching; released nodes
+// float at zero and must not be caught again by round-off.
+constexpr double kEntryDepth = 1e-3;
+// Sliding friction is iterated with the normal reaction until it holds to this share.
+constexpr double kFrictionTolerance = 1e-4;
+constexpr int kMostRevisions = 30;
+constexpr int kMostModeChanges = 4;
+constexpr int kMostPathSteps = 100;
+
+bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
+  const double reach = body.shape->bounding_radius() + margin;
+  if (!std::isfinite(reach)) return true;
+  const Vec3 d = b - a;
+  const double length2 = d.squaredNorm();
+  double t = length2 > 0.0 ? (s.position - a).dot(d) / length2 : 0.0;
+  t = std::clamp(t, 0.0, 1.0);
+  return (a + t * d - s.position).squaredNorm() <= reach * reach;
+}
+
+}  // namespace
+
+ModifiedMass::ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius,
+                           double friction)
+    : bodies_(&bodies),
+      radius_(std::move(radius)),
+      friction_(friction),
+      contact_of_(radius_.size(), kNone),
+      released_(radius_.size(), 0) {}
+
+// The contact of a node that would be at `target_in_body` (body axes) at the step's end.
+ModifiedMass::Contact ModifiedMass::make_contact(Index node, Index body, const Vec3& target_in_body,
+                                                 bool sticks) const {
+  const SurfacePoint p = (*bodies_)[body].shape->nearest(target_in_body);
+  const BodyState& pose = predicted_[body];
+  Contact c;
+  c.node = node;
+  c.body = body;
+  c.normal = pose.attitude * p.normal;
+  c.target = to_world(pose, target_in_body + (radius_[node] - p.distance) * p.normal);
+  c.lever = c.target - radius_[node] * c.normal - pose.position;
+  c.sticks = sticks && friction_ > 0.0;
+  return c;
+}
+
+void ModifiedMass::begin(const State& start, const std::vector<Vec3>& predicted,
+                         const std::vector<BodyState>& bodies, const std::vector<bool>& held) {
+  start_ = &start;
+  predicted_ = bodies;
+  now_ = bodies;
+  held_ = held;
+  revisions_ = 0;
+  contacts_.clear();
+  std::fill(contact_of_.begin(), contact_of_.end(), kNone);
+  std::fill(released_.begin(), released_.end(), 0);
+  for (const Touch& t : start.touches) {
+    if (held_[t.node]) continue;
+    const Vec3 where = t.sticks ? to_body(start.bodies[t.body], start.x[t.node])
+                                : to_body(bodies[t.body], predicted[t.node]);
+    contacts_.push_back(make_contact(t.node, t.body, where, t.sticks));
+    if (!t.sticks && friction_ > 0.0) {
+      const Vec3 slide = slip(contacts_.back(), predicted[t.node]);
+      const double reaction = std::max(0.0, t.reaction.dot(contacts_.back().normal));
+      if (slide.norm() > 0.0)
+        contacts_.back().friction = -friction_ * reaction * slide.normalized();
+    }
+  }
+  find_entries(predicted, bodies);
+  rebuild();
+}
+
+// Follows the straight path of a node relative to the body, advancing by the distance to the
+// surface, until it touches. True with the place of entry in body axes.
+bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState& end,
+                         Vec3& hit) const {
+  const Shape& shape = *(*bodies_)[body].shape;
+  const Vec3 from = to_body(start_->bodies[body], start_->x[node]);
+  const Vec3 to = to_body(end, x1);
+  const double depth = (released_[node] ? 10.0 : 1.0) * kEntryDepth * radius_[node];
+  const double length = (to - from).norm();
+  double t = 0.0;
+  for (int k = 0; k < kMostPathSteps; ++k) {
+    const Vec3 p = from + t * (to - from);
+    const double gap = shape.nearest(p).distance - radius_[node];
+    if (gap < -depth || (t < 1.0 && gap < 0.0 && t > 0.0)) {
+      hit = p;
+      return true;
+    }
+    if (t >= 1.0) return false;
+    t = std::min(1.0, t + std::max(gap, 0.05 * radius_[node]) / std::max(length, 1e-300));
+  }
+  hit = to;
+  return shape.nearest(to).distance < radius_[node] - depth;
+}
+
+bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies) {
+  bool found = false;
+  std::vector<Contact> fresh;
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    const Index body = static_cast<Index>(b);
+    for (std::size_t i = 0; i < radius_.size(); ++i) {
+      const Index node = static_cast<Index>(i);
+      if (held_[i] || contact_of_[i] != kNone) continue;
+      const double drift = (bodies[b].position - start_->bodies[b].position).norm();
+      if (!near_body((*bodies_)[b], bodies[b], start_->x[i], x1[i], radius_[i] + drift)) continue;
+      Vec3 hit;
+      if (!entry(node, body, x1[i], bodies[b], hit)) continue;
+      // Without friction the node goes on along the surface to where it was heading.
+      const Vec3 end = to_body(bodies[b], x1[i]);
+      const bool through = (*bodies_)[b].shape->nearest(end).distance >= radius_[i];
+      fresh.push_back(make_contact(node, body, friction_ > 0.0 || through ? hit : end, true));
+      contact_of_[i] = 0;
+      found = true;
+    }
+  }
+  contacts_.insert(contacts_.end(), fresh.begin(), fresh.end());
+  return found;
+}
+
+// Displacement along the surface relative to the body over the step, m.
+Vec3 ModifiedMass::slip(const Contact& c, const Vec3& x1) const {
+  const Vec3 carried =
+      to_world(now_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
+  const Vec3 d = x1 - carried;
+  return d - c.normal * c.normal.dot(d);
+}
+
+// Coulomb's law for one contact; true if it changed.
+bool ModifiedMass::revise_contact(Contact& c, const Vec3& x1, const Vec3& reaction,
+                                  bool may_change) {
+  if (friction_ == 0.0) return false;
+  const double normal = std::max(0.0, reaction.dot(c.normal));
+  const double limit = friction_ * normal;
+  const Vec3 along = reaction - c.normal * c.normal.dot(reaction);
+  if (c.sticks) {
+    if (along.norm() <= limit * (1.0 + 1e-9) || !may_change) return false;
+    c.sticks = false;
+    ++c.changes;
+    c.friction = limit * along.normalized();
+    return true;
+  }
+  const Vec3 slide = slip(c, x1);
+  if (slide.dot(c.friction) > 0.0 && may_change && c.changes < kMostModeChanges) {
+    c.sticks = true;  // it would be dragged along by friction: it sticks where it was
+    ++c.changes;
+    c.target = to_world(predicted_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
+    const SurfacePoint p = (*bodies_)[c.body].shape->nearest(to_body(predicted_[c.body], c.target));
+    c.target += (radius_[c.node] - p.distance) * (predicted_[c.body].attitude * p.normal);
+    c.friction.setZero();
+    return true;
+  }
+  const double length = slide.norm();
+  const Vec3 direction = length > 0.0 ? Vec3(-slide / length) : c.friction.normalized();
+  const Vec3 wanted = limit * direction;
+  if (!may_change || (wanted - c.friction).norm() <= kFrictionTolerance * limit) return false;
+  c.friction = wanted;
+  return true;
+}
+
+bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
+                          const std::vector<Vec3>& reaction, bool) {
+  now_ = bodies;
+  const bool may_change = ++revisions_ <= kMostRevisions;
+  bool changed = false;
+  double largest = 0.0;
+  for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
+  const auto pulls = [&](const Contact& c) {
+    return may_change && reaction[c.node].dot(c.normal) < -1e-9 * largest;
+  };
+  for (const Contact& c : contacts_) {
+    if (!pulls(c)) continue;
+    released_[c.node] = 1;
+    changed = true;
+  }
+  std::erase_if(contacts_, pulls);
+  for (Contact& c : contacts_) changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change);
+  std::fill(contact_of_.begin(), contact_of_.end(), kNone);
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    contact_of_[contacts_[k].node] = static_cast<Index>(k);
+  changed |= find_entries(x1, bodies);
+  if (changed) rebuild();
+  return changed;
+}
+
+void ModifiedMass::rebuild() {
+  std::stable_sort(contacts_.begin(), contacts_.end(),
+                   [](const Contact& a, const Contact& b) { return a.node < b.node; });
+  constraints_.clear();
+  std::fill(contact_of_.begin(), contact_of_.end(), kNone);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Contact& c = contacts_[k];
+    contact_of_[c.node] = static_cast<Index>(k);
+    Constraint constraint;
+    constraint.node = c.node;
+    constraint.blocked = c.sticks ? Mat3(Mat3::Identity()) : Mat3(c.normal * c.normal.transpose());
+    constraint.target = c.target;
+    constraint.body = (*bodies_)[c.body].fixed ? kNone : c.body;
+    constraint.lever = c.lever;
+    constraint.force = c.sticks ? Vec3(Vec3::Zero()) : c.friction;
+    constraints_.push_back(constraint);
+  }
+}
+
+std::vector<SolvedContact> ModifiedMass::contacts() const {
+  std::vector<SolvedContact> result;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Contact& c = contacts_[k];
+    result.push_back({c.node, c.body, c.sticks, c.normal,
+                      predicted_[c.body].position + c.lever, constraints_[k].blocked});
+  }
+  return result;
+}
+
+}  // namespace retiarius

@@ -1,0 +1,62 @@
+// Contact of nodes with rigid bodies by the modified mass method.
+#pragma once
+
+#include <vector>
+
+#include "retiarius/contact/response.hpp"
+
+namespace retiarius {
+
+// Baraff & Witkin (1998), as in Huang et al. (2022): the inverse mass of a touching node is
+// filtered so that it cannot move against the surface; it is released when the surface would have
+// to pull. A touching node ends the step at the thread's radius from the surface. With friction it
+// first sticks (all directions blocked); where the tangential reaction exceeds friction times the
+// normal one it slides, with that force against the slip.
+//
+// Entry is found by following each node's path relative to the body through the step, so a node
+// does not jump through a body; segments between nodes are not seen.
+class ModifiedMass final : public ContactResponse {
+ public:
+  // radius: of the thread at each node, m.
+  ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius, double friction);
+
+  void begin(const State& start, const std::vector<Vec3>& predicted,
+             const std::vector<BodyState>& bodies, const std::vector<bool>& held) override;
+  bool revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
+              const std::vector<Vec3>& reaction, bool full) override;
+  const std::vector<Constraint>& constraints() const override { return constraints_; }
+  std::vector<SolvedContact> contacts() const override;
+
+ private:
+  struct Contact {
+    Index node = kNone, body = kNone;
+    Vec3 normal = Vec3::UnitZ();     // world
+    Vec3 target = Vec3::Zero();      // where the node ends if it sticks, at the predicted pose
+    Vec3 lever = Vec3::Zero();       // from the predicted mass centre to the surface point
+    bool sticks = false;
+    Vec3 friction = Vec3::Zero();    // force on a sliding node, N
+    int changes = 0;                 // of its mode in this step
+  };
+
+  Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
+  bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
+  bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) const;
+  bool revise_contact(Contact& c, const Vec3& x1, const Vec3& reaction, bool may_change);
+  Vec3 slip(const Contact& c, const Vec3& x1) const;
+  void rebuild();
+
+  const std::vector<Body>* bodies_;
+  std::vector<double> radius_;
+  double friction_;
+  const State* start_ = nullptr;
+  std::vector<BodyState> predicted_;
+  std::vector<BodyState> now_;
+  std::vector<bool> held_;
+  std::vector<Contact> contacts_;      // ordered by node
+  std::vector<Index> contact_of_;      // of each node, or kNone
+  std::vector<char> released_;         // in this step
+  int revisions_ = 0;
+  std::vector<Constraint> constraints_;
+};
+
+}  // namespace retiarius

@@ -1,0 +1,42 @@
+// The face of every contact response: how touching bodies constrain a step.
+#pragma once
+
+#include <vector>
+
+#include "retiarius/base/vec.hpp"
+#include "retiarius/bodies/body.hpp"
+#include "retiarius/state/constraints.hpp"
+#include "retiarius/state/state.hpp"
+
+namespace retiarius {
+
+// A contact of the step that was solved, as the accounts and the next step need it.
+struct SolvedContact {
+  Index node = kNone;
+  Index body = kNone;
+  bool sticks = false;
+  Vec3 normal = Vec3::UnitZ();   // out of the body
+  Vec3 point = Vec3::Zero();     // of the body's surface, at the step's end, m
+  Mat3 blocked = Mat3::Zero();
+};
+
+class ContactResponse {
+ public:
+  virtual ~ContactResponse() = default;
+
+  // Starts a step: where everything is, where nodes and bodies would be at its end without new
+  // contact. `held`: nodes that prescribed motion takes out of contact.
+  virtual void begin(const State& start, const std::vector<Vec3>& predicted,
+                     const std::vector<BodyState>& bodies, const std::vector<bool>& held) = 0;
+
+  // Revises contacts for the present end positions, bodies and the blocked part of the force on
+  // each node (N); true if anything changed. `full`: the iteration has converged.
+  virtual bool revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
+                      const std::vector<Vec3>& reaction, bool full) = 0;
+
+  // The constraints of the present contacts, ordered by node.
+  virtual const std::vector<Constraint>& constraints() const = 0;
+  virtual std::vector<SolvedContact> contacts() const = 0;
+};
+
+}  // namespace retiarius

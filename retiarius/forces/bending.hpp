@@ -1,0 +1,50 @@
+// Bending at joints, with the bounded or the tangent curvature.
+#pragma once
+
+#include <vector>
+
+#include "retiarius/net/network.hpp"
+#include "retiarius/state/law.hpp"
+
+namespace retiarius {
+
+// Integrated curvature |kappa| squared as a function of c = cos(phi), and its derivatives.
+// Bounded (Huang et al. 2022, Eq. 7): 2 sin(phi/2), squared 2 (1 - c).
+// Tangent (Eq. 8; Bergou et al. 2008): 2 tan(phi/2), squared 4 (1 - c) / (1 + c).
+struct SquaredCurvature {
+  double value, first, second;
+};
+SquaredCurvature squared_curvature(Bending kind, double c);
+
+// Bending energy 1/2 (EI / lv) |kappa|^2 at each joint of a thread that is straight at rest.
+class BendingLaw final : public Law {
+ public:
+  explicit BendingLaw(const Network& network);
+
+  std::string_view name() const override { return "bending"; }
+  void couple(BlockPattern& pattern) const override;
+  void bind(const BlockPattern& pattern) override;
+  double potential(const Step& step, const std::vector<Vec3>& y) const override;
+  void assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
+
+  double energy(const std::vector<Vec3>& x) const;  // J
+  bool empty() const { return elements_.empty(); }
+
+ private:
+  struct Element {
+    Index a, b, c;
+    double factor;  // EI / (2 lv), J
+    Bending kind;
+  };
+  std::vector<Element> elements_;
+  struct Slots {
+    Index ab, ac, bc;
+    bool ab_row_a, ac_row_a, bc_row_b;  // whether the first node is the row of the stored block
+  };
+  std::vector<Slots> slots_;
+};
+
+// Curvature |kappa| / lv at each node, the largest of its joints, 1/m.
+std::vector<double> node_curvatures(const Network& network, const std::vector<Vec3>& x);
+
+}  // namespace retiarius

@@ -1,0 +1,44 @@
+#include "retiarius/forces/environment_damping.hpp"
+
+namespace retiarius {
+
+namespace {
+
+// The velocity that the step's damping force averages to: the trapezoid takes the mean of the
+// velocities at its two ends.
+Vec3 mean_velocity(const Step& step, Index i, const Vec3& y) {
+  const Vec3 stage = step.stage_velocity(i, y);
+  if (step.strain_rate != Step::StrainRate::trapezoid) return stage;
+  return 0.5 * (stage + step.start->v[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
+
+// The stage velocity is linear in y, so mu m |w|^2 / (2 rate) has the gradient mu m w.
+double EnvironmentDamping::potential(const Step& step, const std::vector<Vec3>& y) const {
+  if (step.rate <= 0.0) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    sum += mass_[i] * step.stage_velocity(static_cast<Index>(i), y[i]).squaredNorm();
+  return 0.5 * mu_ / step.rate * sum;
+}
+
+void EnvironmentDamping::assemble(const Step& step, const std::vector<Vec3>& y,
+                                  Assembly& out) const {
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    (*out.gradient)[i] += mu_ * mass_[i] * step.stage_velocity(static_cast<Index>(i), y[i]);
+    if (out.hessian) out.hessian->diagonal[i].diagonal().array() += mu_ * mass_[i] * step.rate;
+  }
+}
+
+void EnvironmentDamping::account(const Step& step, const std::vector<Vec3>& y,
+                                 const std::vector<Vec3>& x1, Exchange& exchange) const {
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const Vec3 force = -mu_ * mass_[i] * mean_velocity(step, static_cast<Index>(i), y[i]);
+    exchange.environment_loss -= force.dot(x1[i] - step.start->x[i]);
+    exchange.outside_impulse += step.h * force;
+    exchange.outside_angular_impulse += step.h * y[i].cross(force);
+  }
+}
+
+}  // namespace retiarius

@@ -1,0 +1,302 @@
+#include "retiarius/motion/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/contact/modified_mass.hpp"
+#include "retiarius/forces/environment_damping.hpp"
+#include "retiarius/forces/gravity.hpp"
+#include "retiarius/motion/contact_impulses.hpp"
+#include "retiarius/motion/integrator.hpp"
+
+namespace retiarius {
+
+namespace {
+
+std::vector<double> node_radii(const Network& network) {
+  std::vector<double> radius(network.mass.size(), 0.0);
+  for (const Segment& s : network.segments) {
+    const double r = network.materials[s.material].radius;
+    radius[s.a] = std::max(radius[s.a], r);
+    radius[s.b] = std::max(radius[s.b], r);
+  }
+  return radius;
+}
+
+}  // namespace
+
+State initial_state(const Network& network, const std::vector<Body>& bodies) {
+  State s;
+  s.x = network.initial;
+  s.v = network.velocity;
+  s.support.assign(s.x.size(), Vec3::Zero());
+  for (const Body& b : bodies) s.bodies.push_back(b.initial);
+  return s;
+}
+
+Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, State state)
+    : network_(&network), bodies_(&bodies), state_(std::move(state)) {
+  auto stretching = std::make_unique<Stretching>(network);
+  stretching_ = stretching.get();
+  laws_.push_back(std::move(stretching));
+  auto bending = std::make_unique<BendingLaw>(network);
+  if (!bending->empty()) {
+    bending_ = bending.get();
+    laws_.push_back(std::move(bending));
+  }
+  lasting_laws_ = laws_.size();
+  problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, make_multifrontal_solver());
+  length_scale_ = median_rest_length(network);
+  tensions_ = stretching_->tensions(state_.x);
+}
+
+void Simulation::configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
+                           const ContactSpec& contact) {
+  environment_ = environment;
+  integrator_ = integrator;
+  contact_ = contact;
+  laws_.resize(lasting_laws_);
+  if (!environment.gravity.isZero(0.0))
+    laws_.push_back(std::make_unique<Gravity>(network_->mass, environment.gravity));
+  if (environment.damping > 0.0)
+    laws_.push_back(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
+  problem_->bind_laws();
+  response_.reset();
+  if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
+    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), contact.friction);
+}
+
+// Forces cannot be known better than the rounding of strains lets them: of 1, and of positions
+// far from the origin.
+double Simulation::force_floor() const {
+  double stiffest = 0.0;
+  double shortest = kInfinity;
+  for (const Segment& s : network_->segments) {
+    stiffest = std::max(stiffest, network_->materials[s.material].axial_stiffness);
+    shortest = std::min(shortest, s.rest_length);
+  }
+  double farthest = 0.0;
+  for (const Vec3& x : state_.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const double ulps = std::max(64.0, 4.0 * farthest / shortest);
+  return ulps * std::numeric_limits<double>::epsilon() * stiffest;
+}
+
+std::vector<Vec3> Simulation::start_acceleration() {
+  Step at_start;
+  at_start.start = &state_;
+  at_start.carry = -1.0;
+  at_start.strain_rate = Step::StrainRate::start;
+  std::vector<Vec3> a(state_.x.size(), Vec3::Zero());
+  Assembly out{&a, nullptr, false};
+  for (const auto& law : laws_) {
+    law->prepare(at_start);
+    law->assemble(at_start, state_.x, out);
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] /= -network_->mass[i];
+  return a;
+}
+
+// Bodies fall exactly and tumble without torque; contact adds to that.
+std::vector<BodyState> Simulation::free_bodies(double h) const {
+  std::vector<BodyState> result;
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    const Body& body = (*bodies_)[b];
+    BodyState s = free_motion(body, state_.bodies[b], h);
+    if (!body.fixed) {
+      s.position += 0.5 * h * h * environment_.gravity;
+      s.velocity += h * environment_.gravity;
+    }
+    result.push_back(s);
+  }
+  return result;
+}
+
+bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport& report,
+                          std::string& failure) {
+  const double h = end - state_.time;
+  const Step step = make_step(integrator_.method, state_, h);
+  const std::vector<Prescribed> prescribed = motion ? motion(end) : std::vector<Prescribed>{};
+  std::vector<Vec3> acceleration;
+  if (integrator_.method == Method::newmark) acceleration = start_acceleration();
+  StepProblem::Start start;
+  start.step = &step;
+  start.predicted = predicted_stage(integrator_.method, step, acceleration);
+  start.guess = first_guess(integrator_.method, step);
+  start.prescribed = &prescribed;
+  start.bodies = free_bodies(h);
+  start.contact = response_.get();
+  start.tolerance = integrator_.tolerance;
+  start.force_floor = force_floor();
+  problem_->begin(std::move(start));
+  NewtonSettings settings;
+  settings.step_tolerance = integrator_.tolerance * length_scale_;
+  settings.loose_step_tolerance = response_ ? 1e-3 * length_scale_ : 0.0;
+  settings.max_iterations = integrator_.max_iterations;
+  const NewtonResult result = minimise(*problem_, settings);
+  report.iterations += result.iterations;
+  report.projections += result.projections;
+  if (!result.converged) {
+    failure = result.failure;
+    return false;
+  }
+  accept(step, prescribed, end);
+  report.h = h;
+  return true;
+}
+
+StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
+  StepReport report;
+  std::string failure;
+  const double whole = end - state_.time;
+  for (; report.halvings <= integrator_.max_halvings; ++report.halvings) {
+    const double part = report.halvings == 0 ? end
+                                             : state_.time + std::ldexp(whole, -report.halvings);
+    if (try_step(part, motion, report, failure)) return report;
+  }
+  const auto [residual, node] = problem_->largest_residual();
+  const Vec3 at = node == kNone ? Vec3(Vec3::Zero()) : problem_->stage()[node];
+  throw RunError(fmt::format(
+      "the step at time {:.9g} s does not converge, even cut to {:.3g} s: {}; the largest residual, "
+      "{:.3g} N, is at node {} ({:.6g}, {:.6g}, {:.6g}). Try a smaller integrator.step, more "
+      "integrator.max_iterations, or another integrator.method",
+      state_.time, std::ldexp(whole, -integrator_.max_halvings), failure, residual, node, at.x(),
+      at.y(), at.z()));
+}
+
+// Turns the solved stage into the next state and books what the step exchanged.
+void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
+                        double end) {
+  const State old = state_;
+  Step done = step;
+  done.start = &old;
+  const std::vector<Vec3>& y = problem_->stage();
+  const std::vector<Vec3>& g = problem_->gradient();
+  State& now = state_;
+  now.x = problem_->end_positions();
+  now.bodies = problem_->end_bodies();
+  // The velocity from the positions, less what Newton's tolerance left as residual: linear
+  // momentum is then kept to round-off whatever the tolerance.
+  const double weight = step.rate * step.reach / step.inertia;
+  std::vector<Vec3> residual = g;
+  for (const Constraint& c : problem_->constraints())
+    residual[c.node] -= c.blocked * residual[c.node];
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const Vec3 w = done.stage_velocity(static_cast<Index>(i), y[i]);
+    now.v[i] = old.v[i] + step.reach * (w - old.v[i]) - weight / network_->mass[i] * residual[i];
+  }
+  std::fill(now.support.begin(), now.support.end(), Vec3::Zero());
+  move_prescribed(done, prescribed, old);
+  now.touches.clear();
+  if (response_) {
+    const std::vector<SolvedContact> contacts = response_->contacts();
+    const std::vector<Constraint>& constraints = response_->constraints();
+    std::vector<Vec3> force;
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      force.push_back(contacts[k].blocked * g[contacts[k].node] + constraints[k].force);
+    apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
+  }
+  Exchange exchange;
+  for (const auto& law : laws_) law->account(done, y, now.x, exchange);
+  now.account.material_loss += exchange.material_loss;
+  now.account.environment_loss += exchange.environment_loss;
+  now.account.outside_impulse += exchange.outside_impulse;
+  now.account.outside_angular_impulse += exchange.outside_angular_impulse;
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    if ((*bodies_)[b].fixed) continue;
+    const Vec3 impulse = step.h * (*bodies_)[b].mass * environment_.gravity;
+    now.account.outside_impulse += impulse;
+    now.account.outside_angular_impulse +=
+        (0.5 * (old.bodies[b].position + now.bodies[b].position)).cross(impulse);
+  }
+  now.time = end;
+  ++now.step;
+  tensions_ = stretching_->tensions(y);
+}
+
+// Puts prescribed nodes on their path, with the impulse and work that this takes.
+void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
+                                 const State& old) {
+  const std::vector<Vec3>& y = problem_->stage();
+  const std::vector<Vec3>& g = problem_->gradient();
+  const double weight = step.rate * step.reach / step.inertia;
+  for (const Prescribed& p : prescribed) {
+    const Index i = p.node;
+    const double m = network_->mass[i];
+    // Impulse of the laws alone: what the integrator's velocity has, less the support's share.
+    const Vec3 w = step.stage_velocity(i, y[i]);
+    const Vec3 kinematic = old.v[i] + step.reach * (w - old.v[i]);
+    const Vec3 of_laws = m * (kinematic - old.v[i]) - weight * g[i];
+    const Vec3 support = m * (p.velocity - old.v[i]) - of_laws;
+    state_.x[i] = p.position;
+    state_.v[i] = p.velocity;
+    state_.support[i] = support / step.h;
+    state_.account.prescribed_work += support.dot(p.position - old.x[i]) / step.h;
+    state_.account.outside_impulse += support;
+    state_.account.outside_angular_impulse += y[i].cross(support);
+  }
+}
+
+void Simulation::kick(Index node, const Vec3& velocity) {
+  const double m = network_->mass[node];
+  const Vec3 impulse = m * (velocity - state_.v[node]);
+  state_.account.prescribed_work +=
+      0.5 * m * (velocity.squaredNorm() - state_.v[node].squaredNorm());
+  state_.account.outside_impulse += impulse;
+  state_.account.outside_angular_impulse += state_.x[node].cross(impulse);
+  state_.v[node] = velocity;
+}
+
+// Relaxation by pseudo-steps of implicit Euler without memory of velocity: short ones find their
+// way from the flat, unstrained net, where the stiffness is singular; ever longer ones end as pure
+// Newton iterations.
+StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
+  StepReport report;
+  std::string failure = "the relaxation came to no end";
+  double h = integrator_.step;
+  constexpr int kMostRelaxations = 400;
+  for (int k = 0; k < kMostRelaxations; ++k) {
+    const State old = state_;
+    const Step step = make_step(Method::static_solve, old, h);
+    StepProblem::Start start;
+    start.step = &step;
+    start.predicted = old.x;
+    start.guess = old.x;
+    start.prescribed = &held;
+    start.bodies = old.bodies;
+    start.tolerance = integrator_.tolerance;
+    start.force_floor = force_floor();
+    problem_->begin(std::move(start));
+    NewtonSettings settings;
+    settings.step_tolerance = integrator_.tolerance * length_scale_;
+    settings.max_iterations = integrator_.max_iterations;
+    const NewtonResult result = minimise(*problem_, settings);
+    report.iterations += result.iterations;
+    if (!result.converged) {
+      failure = result.failure;
+      h *= 0.25;
+      continue;
+    }
+    state_.x = problem_->stage();
+    state_.support = std::vector<Vec3>(state_.x.size(), Vec3::Zero());
+    for (const Prescribed& p : held) state_.support[p.node] = problem_->gradient()[p.node];
+    double moved = 0.0;
+    for (std::size_t i = 0; i < old.x.size(); ++i)
+      moved = std::max(moved, (state_.x[i] - old.x[i]).norm());
+    // Inertia's share of the balance is m d / h^2; it vanishes as h grows and nothing moves.
+    if (moved <= settings.step_tolerance && h > 1e4 * integrator_.step) {
+      std::fill(state_.v.begin(), state_.v.end(), Vec3::Zero());
+      tensions_ = stretching_->tensions(state_.x);
+      return report;
+    }
+    h *= 4.0;
+  }
+  throw RunError(fmt::format("the static solve found no equilibrium within {} relaxations: {}. Is "
+                             "the net held (phase.fix) and loaded?",
+                             kMostRelaxations, failure));
+}
+
+}  // namespace retiarius

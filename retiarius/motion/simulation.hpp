@@ -1,0 +1,96 @@
+// Advances a State: network, bodies, laws and contact joined under one integrator.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "retiarius/bodies/body.hpp"
+#include "retiarius/contact/spec.hpp"
+#include "retiarius/forces/bending.hpp"
+#include "retiarius/forces/spec.hpp"
+#include "retiarius/forces/stretching.hpp"
+#include "retiarius/motion/spec.hpp"
+#include "retiarius/motion/step_problem.hpp"
+#include "retiarius/net/network.hpp"
+#include "retiarius/state/constraints.hpp"
+#include "retiarius/state/state.hpp"
+
+namespace retiarius {
+
+// Gives the nodes whose motion is prescribed over the step that ends at `time` (s), ordered by
+// node. An empty function prescribes nothing.
+using PrescribedMotion = std::function<std::vector<Prescribed>(double time)>;
+
+// What one accepted step took.
+struct StepReport {
+  double h = 0.0;       // s
+  int iterations = 0;   // Newton's, those of failed attempts included
+  int halvings = 0;     // before the step was accepted
+  int projections = 0;  // of the Hessian
+};
+
+// The state at the mission's start: the network's initial positions and velocities, bodies' initial
+// states.
+State initial_state(const Network& network, const std::vector<Body>& bodies);
+
+class Simulation {
+ public:
+  // Network and bodies must outlive the simulation.
+  Simulation(const Network& network, const std::vector<Body>& bodies, State state);
+
+  // Sets surroundings, integrator and contact for the steps that follow.
+  void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
+                 const ContactSpec& contact);
+
+  // One accepted step towards time `end` (s); shorter where the whole did not converge. Throws
+  // RunError naming time, node and cause where no step of the smallest allowed length converges;
+  // the state is then still the last accepted one.
+  StepReport advance(double end, const PrescribedMotion& motion);
+
+  // Static equilibrium with the nodes of `held` at their places. Throws RunError.
+  StepReport solve_static(const std::vector<Prescribed>& held);
+
+  // Gives a node a new velocity at once, as a shot does; impulse and work are accounted for.
+  void kick(Index node, const Vec3& velocity);
+
+  const State& state() const { return state_; }
+  const Network& network() const { return *network_; }
+  const std::vector<Body>& bodies() const { return *bodies_; }
+  const EnvironmentSpec& environment() const { return environment_; }
+  const IntegratorSpec& integrator() const { return integrator_; }
+
+  // Of the last accepted step: each segment's tension, viscous part included, N.
+  const std::vector<double>& tensions() const { return tensions_; }
+  double stretching_energy() const { return stretching_->energy(state_.x); }  // J
+  double bending_energy() const { return bending_ ? bending_->energy(state_.x) : 0.0; }  // J
+  const LinearSolver& solver() const { return problem_->solver(); }
+
+ private:
+  bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
+                std::string& failure);
+  std::vector<Vec3> start_acceleration();
+  std::vector<BodyState> free_bodies(double h) const;
+  double force_floor() const;
+  void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
+  void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
+                       const State& old);
+
+  const Network* network_;
+  const std::vector<Body>* bodies_;
+  EnvironmentSpec environment_;
+  IntegratorSpec integrator_;
+  ContactSpec contact_;
+  State state_;
+  std::vector<std::unique_ptr<Law>> laws_;
+  Stretching* stretching_ = nullptr;
+  BendingLaw* bending_ = nullptr;
+  std::size_t lasting_laws_ = 0;
+  std::unique_ptr<StepProblem> problem_;
+  std::unique_ptr<ContactResponse> response_;
+  std::vector<double> tensions_;
+  double length_scale_ = 0.0;  // median rest length, m
+};
+
+}  // namespace retiarius

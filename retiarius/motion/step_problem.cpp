@@ -1,0 +1,343 @@
+#include "retiarius/motion/step_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace retiarius {
+
+StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
+                         std::vector<std::unique_ptr<Law>>& laws,
+                         std::unique_ptr<LinearSolver> solver)
+    : mass_(std::move(mass)), bodies_(&bodies), laws_(&laws), solver_(std::move(solver)) {
+  pattern_ = BlockPattern(static_cast<Index>(mass_.size()));
+  for (const auto& law : laws) law->couple(pattern_);
+  pattern_.finish();
+  solver_->analyse(pattern_);
+  bind_laws();
+  const std::size_t n = mass_.size();
+  neighbour_starts_.assign(n + 1, 0);
+  for (Index c = 0; c < pattern_.blocks(); ++c) {
+    for (Index s = pattern_.starts()[c]; s < pattern_.starts()[c + 1]; ++s) {
+      ++neighbour_starts_[c + 1];
+      ++neighbour_starts_[pattern_.rows()[s] + 1];
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) neighbour_starts_[i + 1] += neighbour_starts_[i];
+  neighbours_.resize(neighbour_starts_[n]);
+  std::vector<Index> next(neighbour_starts_.begin(), neighbour_starts_.end() - 1);
+  for (Index c = 0; c < pattern_.blocks(); ++c) {
+    for (Index s = pattern_.starts()[c]; s < pattern_.starts()[c + 1]; ++s) {
+      const Index r = pattern_.rows()[s];
+      neighbours_[next[c]++] = {s, r, false};
+      neighbours_[next[r]++] = {s, c, true};
+    }
+  }
+  constraint_of_.assign(n, kNone);
+  gradient_.assign(n, Vec3::Zero());
+  dy_.assign(n, Vec3::Zero());
+  body_mass_.assign(bodies.size(), Mat6::Zero());
+  body_gradient_.assign(bodies.size(), Vec6::Zero());
+}
+
+void StepProblem::bind_laws() {
+  for (const auto& law : *laws_) law->bind(pattern_);
+}
+
+void StepProblem::begin(Start start) {
+  start_ = std::move(start);
+  const Step& step = *start_.step;
+  for (const auto& law : *laws_) law->prepare(step);
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    const Body& body = (*bodies_)[b];
+    if (body.fixed) continue;
+    body_mass_[b].topLeftCorner<3, 3>() = step.inertia * body.mass * Mat3::Identity();
+    body_mass_[b].bottomRightCorner<3, 3>() =
+        step.inertia * world_inertia(body, start_.bodies[b].attitude);
+  }
+  y_ = start_.guess;
+  b_.assign(bodies_->size(), Vec6::Zero());
+  db_ = b_;
+  if (start_.contact) {
+    std::vector<bool> held(mass_.size(), false);
+    for (const Prescribed& p : *start_.prescribed) held[p.node] = true;
+    start_.contact->begin(*step.start, end_positions(), start_.bodies, held);
+  }
+  collect_constraints();
+  project_guess();
+}
+
+// Prescribed nodes and contacts in one list, ordered by node; they never share a node.
+void StepProblem::collect_constraints() {
+  for (const Constraint& c : constraints_) constraint_of_[c.node] = kNone;
+  constraints_.clear();
+  for (const Prescribed& p : *start_.prescribed) {
+    Constraint c;
+    c.node = p.node;
+    c.target = p.position;
+    constraints_.push_back(c);
+  }
+  if (start_.contact) {
+    const auto& touching = start_.contact->constraints();
+    constraints_.insert(constraints_.end(), touching.begin(), touching.end());
+  }
+  std::sort(constraints_.begin(), constraints_.end(),
+            [](const Constraint& a, const Constraint& b) { return a.node < b.node; });
+  for (std::size_t k = 0; k < constraints_.size(); ++k)
+    constraint_of_[constraints_[k].node] = static_cast<Index>(k);
+}
+
+Mat36 StepProblem::lever_map(const Constraint& c) const {
+  Mat36 j;
+  j << Mat3::Identity(), -skew(c.lever);
+  return j;
+}
+
+// Where the blocked directions put the stage.
+Vec3 StepProblem::blocked_stage(const Constraint& c) const {
+  const Vec3& x0 = start_.step->start->x[c.node];
+  Vec3 stage = x0 + (c.target - x0) / start_.step->reach;
+  if (c.body != kNone) stage += lever_map(c) * b_[c.body];
+  return stage;
+}
+
+void StepProblem::project_guess() {
+  for (const Constraint& c : constraints_)
+    y_[c.node] += c.blocked * (blocked_stage(c) - y_[c.node]);
+}
+
+double StepProblem::potential() {
+  const Step& step = *start_.step;
+  double value = 0.0;
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    value += mass_[i] * (y_[i] - start_.predicted[i]).squaredNorm();
+  value *= 0.5 * step.inertia;
+  for (std::size_t b = 0; b < b_.size(); ++b) value += 0.5 * b_[b].dot(body_mass_[b] * b_[b]);
+  for (const Constraint& c : constraints_) {
+    value -= c.force.dot(y_[c.node] - step.start->x[c.node]);
+    if (c.body != kNone) value += c.force.dot(lever_map(c) * b_[c.body]);
+  }
+  for (const auto& law : *laws_) value += law->potential(step, y_);
+  return value;
+}
+
+double StepProblem::assemble(bool definite) {
+  const Step& step = *start_.step;
+  if (matrix_.pattern != &pattern_) {
+    matrix_.reset(pattern_);
+  } else {
+    matrix_.set_zero();
+  }
+  std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
+  Assembly out{&gradient_, &matrix_, definite};
+  for (const auto& law : *laws_) law->assemble(step, y_, out);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const Vec3 inertia = step.inertia * mass_[i] * (y_[i] - start_.predicted[i]);
+    largest = std::max({largest, gradient_[i].squaredNorm(), inertia.squaredNorm()});
+    gradient_[i] += inertia;
+    matrix_.diagonal[i].diagonal().array() += step.inertia * mass_[i];
+  }
+  largest_force_ = std::sqrt(largest);
+  for (std::size_t b = 0; b < b_.size(); ++b) body_gradient_[b] = body_mass_[b] * b_[b];
+  for (const Constraint& c : constraints_) {
+    gradient_[c.node] -= c.force;
+    if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * c.force;
+  }
+  return potential();
+}
+
+// The gradient with respect to each body's unknowns, with the nodes that follow it.
+std::vector<Vec6> StepProblem::reduced_body_gradient() const {
+  std::vector<Vec6> g = body_gradient_;
+  for (const Constraint& c : constraints_) {
+    if (c.body != kNone)
+      g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
+  }
+  return g;
+}
+
+// The columns K N J of the bodies that touch, and their diagonal blocks J^T N K N J.
+void StepProblem::build_borders() {
+  borders_.clear();
+  for (const Constraint& c : constraints_) {
+    if (c.body == kNone) continue;
+    const auto known = std::find_if(borders_.begin(), borders_.end(),
+                                    [&](const Border& b) { return b.body == c.body; });
+    if (known == borders_.end()) {
+      borders_.push_back({c.body, {6, std::vector<Vec3>(mass_.size(), Vec3::Zero())}});
+    }
+  }
+  std::sort(borders_.begin(), borders_.end(),
+            [](const Border& a, const Border& b) { return a.body < b.body; });
+  for (Border& border : borders_) {
+    for (const Constraint& c : constraints_) {
+      if (c.body != border.body) continue;
+      const Mat36 follows = c.blocked * lever_map(c);
+      const auto add = [&](Index node, const Mat36& rows) {
+        for (int k = 0; k < 6; ++k) border.columns[k][node] += rows.col(k);
+      };
+      add(c.node, matrix_.diagonal[c.node] * follows);
+      for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
+        const Neighbour& n = neighbours_[s];
+        const Mat3& block = matrix_.below[n.slot];
+        add(n.node, n.row ? Mat36(block.transpose() * follows) : Mat36(block * follows));
+      }
+    }
+  }
+  const std::size_t count = borders_.size();
+  border_diagonal_.assign(count * count, Mat6::Zero());
+  for (std::size_t p = 0; p < count; ++p) {
+    border_diagonal_[p * count + p] = body_mass_[borders_[p].body];
+    for (const Constraint& c : constraints_) {
+      if (c.body != borders_[p].body) continue;
+      const Mat36 follows = c.blocked * lever_map(c);
+      for (std::size_t q = 0; q < count; ++q) {
+        Mat36 column;
+        for (int k = 0; k < 6; ++k) column.col(k) = borders_[q].columns[k][c.node];
+        border_diagonal_[p * count + q] += follows.transpose() * column;
+      }
+    }
+  }
+}
+
+// P K P with the blocked directions held by a diagonal of the block's own size.
+void StepProblem::filter_matrix() {
+  for (const Constraint& c : constraints_) {
+    const Mat3 free = Mat3::Identity() - c.blocked;
+    Mat3& diagonal = matrix_.diagonal[c.node];
+    const double scale = std::max(std::abs(diagonal.trace()) / 3.0, 1e-300);
+    diagonal = free * diagonal * free + scale * c.blocked;
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
+      const Neighbour& n = neighbours_[s];
+      Mat3& block = matrix_.below[n.slot];
+      block = n.row ? Mat3(free * block) : Mat3(block * free);
+    }
+    for (Border& border : borders_) {
+      for (auto& column : border.columns) column[c.node] = free * column[c.node];
+    }
+  }
+}
+
+bool StepProblem::find_direction() {
+  base_y_ = y_;
+  base_b_ = b_;
+  build_borders();
+  const std::vector<Vec6> body_gradient = reduced_body_gradient();
+  filter_matrix();
+  if (!solver_->factor(matrix_)) return false;
+  for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
+  for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
+  solver_->solve(dy_);
+  std::fill(db_.begin(), db_.end(), Vec6::Zero());
+  if (!borders_.empty()) solve_bordered(body_gradient);
+  for (const Constraint& c : constraints_) {
+    dy_[c.node] -= c.blocked * dy_[c.node];
+    if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
+  }
+  return dy_.empty() || std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
+}
+
+// Schur complement of the bodies: (D - B^T A^-1 B) db = -(g_b) - B^T dy.
+void StepProblem::solve_bordered(const std::vector<Vec6>& body_gradient) {
+  const std::size_t count = borders_.size();
+  const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
+  Eigen::MatrixXd schur(size, size);
+  Eigen::VectorXd rhs(size);
+  std::vector<std::vector<std::vector<Vec3>>> solved(count);
+  for (std::size_t q = 0; q < count; ++q) {
+    solved[q] = borders_[q].columns;
+    for (auto& column : solved[q]) solver_->solve(column);
+  }
+  const auto dot = [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+  };
+  for (std::size_t p = 0; p < count; ++p) {
+    for (int k = 0; k < 6; ++k) {
+      const Eigen::Index row = static_cast<Eigen::Index>(6 * p) + k;
+      rhs(row) = -body_gradient[borders_[p].body](k) - dot(borders_[p].columns[k], dy_);
+      for (std::size_t q = 0; q < count; ++q) {
+        for (int l = 0; l < 6; ++l) {
+          schur(row, static_cast<Eigen::Index>(6 * q) + l) =
+              border_diagonal_[p * count + q](k, l) - dot(borders_[p].columns[k], solved[q][l]);
+        }
+      }
+    }
+  }
+  const Eigen::VectorXd db = Eigen::MatrixXd(0.5 * (schur + schur.transpose())).ldlt().solve(rhs);
+  for (std::size_t p = 0; p < count; ++p) {
+    db_[borders_[p].body] = db.segment<6>(static_cast<Eigen::Index>(6 * p));
+    for (int k = 0; k < 6; ++k) {
+      const double amount = db_[borders_[p].body](k);
+      for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] -= amount * solved[p][k][i];
+    }
+  }
+}
+
+double StepProblem::slope() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < dy_.size(); ++i) sum += gradient_[i].dot(dy_[i]);
+  for (std::size_t b = 0; b < db_.size(); ++b) sum += body_gradient_[b].dot(db_[b]);
+  return sum;
+}
+
+void StepProblem::move(double fraction) {
+  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = base_y_[i] + fraction * dy_[i];
+  for (std::size_t b = 0; b < b_.size(); ++b) b_[b] = base_b_[b] + fraction * db_[b];
+}
+
+double StepProblem::direction_size() const {
+  double largest = 0.0;
+  for (const Vec3& d : dy_) largest = std::max(largest, d.squaredNorm());
+  return std::sqrt(largest);
+}
+
+std::pair<double, Index> StepProblem::largest_residual() const {
+  double largest = 0.0;
+  Index where = kNone;
+  for (std::size_t i = 0; i < gradient_.size(); ++i) {
+    Vec3 r = gradient_[i];
+    if (constraint_of_[i] != kNone) r -= constraints_[constraint_of_[i]].blocked * r;
+    if (!(r.squaredNorm() <= largest)) {
+      largest = r.squaredNorm();
+      where = static_cast<Index>(i);
+    }
+  }
+  return {std::sqrt(largest), where};
+}
+
+double StepProblem::residual_ratio() const {
+  double largest = largest_residual().first;
+  for (const Vec6& g : reduced_body_gradient()) largest = std::max(largest, g.head<3>().norm());
+  return largest / std::max(start_.tolerance * largest_force_, start_.force_floor);
+}
+
+bool StepProblem::revise(bool full) {
+  if (!start_.contact) return false;
+  if (!start_.contact->revise(end_positions(), end_bodies(), gradient_, full)) return false;
+  collect_constraints();
+  project_guess();
+  return true;
+}
+
+std::vector<Vec3> StepProblem::end_positions() const {
+  const Step& step = *start_.step;
+  if (step.reach == 1.0) return y_;
+  std::vector<Vec3> x1(y_.size());
+  for (std::size_t i = 0; i < y_.size(); ++i)
+    x1[i] = step.start->x[i] + step.reach * (y_[i] - step.start->x[i]);
+  return x1;
+}
+
+std::vector<BodyState> StepProblem::end_bodies() const {
+  std::vector<BodyState> result = start_.bodies;
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    const Vec6 d = start_.step->reach * b_[b];
+    if ((*bodies_)[b].fixed || d.isZero(0.0)) continue;
+    result[b] = displaced(result[b], d.head<3>(), d.tail<3>());
+  }
+  return result;
+}
+
+}  // namespace retiarius

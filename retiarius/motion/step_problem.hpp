@@ -1,0 +1,109 @@
+// The nonlinear problem of one step: minimise the incremental potential of net and bodies under
+// constraints.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "retiarius/bodies/body.hpp"
+#include "retiarius/contact/response.hpp"
+#include "retiarius/solve/linear_solver.hpp"
+#include "retiarius/solve/newton.hpp"
+#include "retiarius/state/constraints.hpp"
+#include "retiarius/state/law.hpp"
+
+namespace retiarius {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat36 = Eigen::Matrix<double, 3, 6>;
+
+// Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
+// rotation vector b that contact adds to its free motion (both divided by the step's reach). The
+// potential is
+//
+//   1/2 sum m inertia |y - predicted|^2 + sum of the laws' + 1/2 sum inertia b^T M b - friction
+//
+// Blocked directions follow their targets, so the Newton system is filtered by the projectors
+// I - N (Baraff & Witkin 1998); bodies border it with six dense columns each, eliminated by their
+// Schur complement. The force that a constraint needs is what remains of the gradient there.
+class StepProblem final : public NewtonProblem {
+ public:
+  StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
+              std::vector<std::unique_ptr<Law>>& laws, std::unique_ptr<LinearSolver> solver);
+
+  // Looks up the pattern again after laws were added or removed.
+  void bind_laws();
+
+  struct Start {
+    const Step* step = nullptr;
+    std::vector<Vec3> predicted;               // stage that inertia alone would reach
+    std::vector<Vec3> guess;                   // where the iteration starts
+    const std::vector<Prescribed>* prescribed = nullptr;
+    std::vector<BodyState> bodies;             // at the step's end, in free motion
+    ContactResponse* contact = nullptr;        // null: none
+    double tolerance = 1e-8;                   // of the residual, relative
+    double force_floor = 0.0;                  // N, round-off of the forces
+  };
+  void begin(Start start);
+
+  double assemble(bool definite) override;
+  double potential() override;
+  bool find_direction() override;
+  double slope() const override;
+  void move(double fraction) override;
+  double direction_size() const override;
+  double residual_ratio() const override;
+  bool revise(bool full) override;
+
+  const std::vector<Vec3>& stage() const { return y_; }
+  std::vector<Vec3> end_positions() const;
+  std::vector<BodyState> end_bodies() const;
+  // Gradient: at blocked directions the force of the constraint on the node, elsewhere what the
+  // tolerance left, N.
+  const std::vector<Vec3>& gradient() const { return gradient_; }
+  const std::vector<Constraint>& constraints() const { return constraints_; }
+  // The largest residual and where it is, for messages.
+  std::pair<double, Index> largest_residual() const;
+  const LinearSolver& solver() const { return *solver_; }
+
+ private:
+  struct Border {
+    Index body = kNone;
+    std::vector<std::vector<Vec3>> columns;  // six right-hand sides, then solutions
+  };
+
+  void collect_constraints();
+  void project_guess();
+  Vec3 blocked_stage(const Constraint& c) const;
+  void build_borders();
+  void filter_matrix();
+  void solve_bordered(const std::vector<Vec6>& body_gradient);
+  std::vector<Vec6> reduced_body_gradient() const;
+  Mat36 lever_map(const Constraint& c) const;
+
+  std::vector<double> mass_;
+  const std::vector<Body>* bodies_;
+  std::vector<std::unique_ptr<Law>>* laws_;
+  std::unique_ptr<LinearSolver> solver_;
+  BlockPattern pattern_;
+  struct Neighbour {
+    Index slot, node;
+    bool row;  // whether this node is the row of the stored block
+  };
+  std::vector<Index> neighbour_starts_;
+  std::vector<Neighbour> neighbours_;
+
+  Start start_;
+  std::vector<Constraint> constraints_;     // ordered by node
+  std::vector<Index> constraint_of_;        // of each node, or kNone
+  std::vector<Mat6> body_mass_;             // times inertia, N/m and N m
+  std::vector<Vec3> y_, base_y_, dy_, gradient_;
+  std::vector<Vec6> b_, base_b_, db_, body_gradient_;
+  double largest_force_ = 0.0;
+  BlockMatrix matrix_;
+  std::vector<Border> borders_;
+  std::vector<Mat6> border_diagonal_;       // of each pair of borders, row by row
+};
+
+}  // namespace retiarius

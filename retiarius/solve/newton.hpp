@@ -1,0 +1,57 @@
+// Newton's iteration with line search on a problem that is the minimisation of a potential.
+#pragma once
+
+#include <string>
+
+namespace retiarius {
+
+// What Newton's iteration needs to know of a problem; the problem keeps the iterate.
+class NewtonProblem {
+ public:
+  virtual ~NewtonProblem() = default;
+
+  // Evaluates potential, gradient and Hessian at the present iterate and returns the potential.
+  // definite: every element's block projected to be positive semidefinite.
+  virtual double assemble(bool definite) = 0;
+
+  // Only the potential at the present iterate.
+  virtual double potential() = 0;
+
+  // Computes the Newton direction from what was assembled; false where the matrix is not positive
+  // definite.
+  virtual bool find_direction() = 0;
+
+  // Gradient (as last assembled) times direction: the potential's slope, negative for descent.
+  virtual double slope() const = 0;
+
+  // Puts the iterate at base + fraction * direction; base is where the direction was computed.
+  virtual void move(double fraction) = 0;
+
+  // Length of the direction, in the units of `NewtonSettings::step_tolerance`.
+  virtual double direction_size() const = 0;
+
+  // Residual over its scale: the iteration is converged where this is at most 1 and the last
+  // step was short enough.
+  virtual double residual_ratio() const = 0;
+
+  // Called when the iteration has converged to the loose or the full tolerance: may change the
+  // problem (contacts, friction) and then returns true, and the iteration goes on.
+  virtual bool revise(bool /*full*/) { return false; }
+};
+
+struct NewtonSettings {
+  double step_tolerance = 0.0;        // on direction_size()
+  double loose_step_tolerance = 0.0;  // at which revise(false) is called; 0: never
+  int max_iterations = 50;
+};
+
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;       // linear solves
+  int projections = 0;      // times the Hessian had to be projected
+  std::string failure;      // why it did not converge
+};
+
+NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings);
+
+}  // namespace retiarius

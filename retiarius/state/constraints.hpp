@@ -1,0 +1,28 @@
+// Blocked directions of nodes: prescribed motion, grips and contact are all this one thing.
+#pragma once
+
+#include <vector>
+
+#include "retiarius/base/vec.hpp"
+
+namespace retiarius {
+
+// Along the blocked directions the node's end position is prescribed; a constraint attached to a
+// free body prescribes it relative to that body, which then takes the reaction.
+struct Constraint {
+  Index node = kNone;
+  Mat3 blocked = Mat3::Identity();   // orthogonal projector on the blocked directions
+  Vec3 target = Vec3::Zero();        // end position; only its blocked part counts, m
+  Index body = kNone;                // free body that the target moves with
+  Vec3 lever = Vec3::Zero();         // from the body's predicted mass centre to the point, m
+  Vec3 force = Vec3::Zero();         // given force on the node (sliding friction), N
+};
+
+// Nodes whose motion is prescribed over a step, with position and velocity at its end.
+struct Prescribed {
+  Index node = kNone;
+  Vec3 position = Vec3::Zero();  // m
+  Vec3 velocity = Vec3::Zero();  // m/s
+};
+
+}  // namespace retiarius

@@ -1,0 +1,54 @@
+// The face of every law of force.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "retiarius/base/vec.hpp"
+#include "retiarius/base/block_matrix.hpp"
+#include "retiarius/state/step.hpp"
+
+namespace retiarius {
+
+// What a law writes into. The gradient is that of the incremental potential with respect to the
+// stage positions, i.e. minus the force; blocks are its second derivatives.
+struct Assembly {
+  std::vector<Vec3>* gradient = nullptr;  // N, one row a node
+  BlockMatrix* hessian = nullptr;         // N/m; null: not wanted
+  // True: each element's block is projected to the nearest positive semidefinite one.
+  bool definite = false;
+};
+
+// What a law takes out of the mechanical energy, or brings in from outside, over an accepted step.
+struct Exchange {
+  double material_loss = 0.0;                   // J
+  double environment_loss = 0.0;                // J
+  Vec3 outside_impulse = Vec3::Zero();          // N s
+  Vec3 outside_angular_impulse = Vec3::Zero();  // about the origin, N m s
+};
+
+class Law {
+ public:
+  virtual ~Law() = default;
+  virtual std::string_view name() const = 0;
+
+  // Adds the pairs of nodes that the law couples.
+  virtual void couple(BlockPattern&) const {}
+  // Called once the pattern is complete (again when it has grown): look up one's slots here.
+  virtual void bind(const BlockPattern&) {}
+  // Called at the start of each attempted step: what depends on the start alone is computed here.
+  virtual void prepare(const Step&) {}
+
+  // The incremental potential at stage positions y, J: its gradient is the law's contribution to
+  // the residual. Infinity where y is inadmissible.
+  virtual double potential(const Step&, const std::vector<Vec3>& y) const = 0;
+
+  // Adds gradient and, where wanted, Hessian of the incremental potential.
+  virtual void assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
+
+  // Adds what the step from its start through stage y to positions x1 exchanged.
+  virtual void account(const Step&, const std::vector<Vec3>& /*y*/, const std::vector<Vec3>& /*x1*/,
+                       Exchange&) const {}
+};
+
+}  // namespace retiarius
