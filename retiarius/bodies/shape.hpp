@@ -1,6 +1,7 @@
 // The surface of a rigid body, in body axes with the mass centre at the origin.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,9 +26,9 @@ struct TriangleMesh {
 
 // Volume, mass centre and inertia of a homogeneous solid of unit density.
 struct SolidProperties {
-  double volume = 0.0;                // m3
-  Vec3 center = Vec3::Zero();         // m
-  Mat3 inertia = Mat3::Zero();        // about the centre, per unit density, m5
+  double volume = 0.0;          // m3
+  Vec3 center = Vec3::Zero();   // m
+  Mat3 inertia = Mat3::Zero();  // about the centre, per unit density, m5
 };
 
 class Shape {
@@ -37,17 +38,20 @@ class Shape {
   // Signed distance, normal and nearest surface point of a point in body axes.
   virtual SurfacePoint nearest(const Vec3& point) const = 0;
 
-  // Smallest signed distance from the points of the straight segment a-b to the surface, within
-  // `accuracy` m (default: exact to round-off where the shape allows it).
+  // Smallest signed distance from the points of the straight segment a-b to the surface: exact to
+  // round-off for sphere and plane, within 1e-12 of the lengths involved for the other analytic
+  // shapes, within 1e-7 of the segment's length for a mesh.
   virtual double segment_distance(const Vec3& a, const Vec3& b) const = 0;
 
   // Radius of the smallest sphere about the origin that holds the shape; infinity for a plane.
   virtual double bounding_radius() const = 0;
 
+  // For a plane the volume is infinite and the inertia has no meaning.
   virtual SolidProperties solid() const = 0;
   virtual double surface_area() const = 0;
 
-  // A closed triangle surface that lies within a thousandth of the size of the true one.
+  // A closed triangle surface that lies within a thousandth of the size (diameter) of the true
+  // one; for a plane an open square of 20 m.
   virtual TriangleMesh triangles() const = 0;
 };
 
