@@ -1,0 +1,33 @@
+#include "retiarius/base/build_info.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace retiarius {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ContainsRegex;
+using ::testing::Each;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+TEST(BuildInfo, NamesVersionCompilerAndBuildType) {
+  const BuildInfo& info = build_info();
+  EXPECT_THAT(info.version, MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_THAT(info.compiler, ContainsRegex("^[A-Za-z]+ [0-9]+"));
+  EXPECT_FALSE(info.build_type.empty());
+}
+
+TEST(BuildInfo, ListsOptionsThatChangeResults) {
+  EXPECT_THAT(build_info().options, Contains(StartsWith("native=")));
+  EXPECT_THAT(build_info().options, Contains(StartsWith("sanitize=")));
+}
+
+TEST(BuildInfo, EveryLibraryHasAVersion) {
+  EXPECT_EQ(build_info().libraries.size(), 9u);
+  EXPECT_THAT(build_info().libraries, Each(MatchesRegex("[A-Za-z0-9+-]+ [0-9][0-9A-Za-z.~-]*")));
+}
+
+}  // namespace
+}  // namespace retiarius
