@@ -11,28 +11,33 @@ add_custom_target(retiarius_revision
   COMMENT "Looking up the revision"
   VERBATIM)
 
-# The options that can change results or speed.
-set(options "native=${RETIARIUS_NATIVE}" "sanitize=${RETIARIUS_SANITIZE}")
-string(STRIP "${CMAKE_CXX_FLAGS}" flags)
-if(flags)
-  list(APPEND options "flags=${flags}")
+if(RETIARIUS_NATIVE)
+  set(RETIARIUS_KERNELS native)
+else()
+  set(RETIARIUS_KERNELS portable)
 endif()
 set(libraries
-  "Eigen ${Eigen3_VERSION}" "fmt ${fmt_VERSION}" "oneTBB ${TBB_VERSION}" "METIS ${METIS_VERSION}"
-  "toml++ ${tomlplusplus_VERSION}" "nlohmann-json ${nlohmann_json_VERSION}" "HDF5 ${hdf5_VERSION}"
-  "qhull ${qhull_VERSION}" "tinyobjloader ${tinyobjloader_VERSION}")
+  Eigen "${Eigen3_VERSION}" fmt "${fmt_VERSION}" oneTBB "${TBB_VERSION}" METIS "${METIS_VERSION}"
+  toml++ "${tomlplusplus_VERSION}" nlohmann-json "${nlohmann_json_VERSION}"
+  HDF5 "${hdf5_VERSION}" qhull "${qhull_VERSION}" tinyobjloader "${tinyobjloader_VERSION}")
 
-# `quoted` becomes the items of `list_name` as C++ string literals, separated by commas.
-function(quote_items list_name quoted)
-  set(literals "")
-  foreach(item IN LISTS ${list_name})
-    string(REPLACE "\\" "\\\\" item "${item}")
-    string(REPLACE "\"" "\\\"" item "${item}")
-    string(APPEND literals "\"${item}\", ")
+# `literals` becomes the names and values as pairs of C++ string literals, separated by commas.
+function(pair_literals literals)
+  set(result "")
+  math(EXPR last "${ARGC} - 2")
+  foreach(i RANGE 1 ${last} 2)
+    math(EXPR j "${i} + 1")
+    set(name "${ARGV${i}}")
+    set(value "${ARGV${j}}")
+    string(REPLACE "\\" "\\\\" value "${value}")
+    string(REPLACE "\"" "\\\"" value "${value}")
+    string(APPEND result "{\"${name}\", \"${value}\"}, ")
   endforeach()
-  set(${quoted} "${literals}" PARENT_SCOPE)
+  set(${literals} "${result}" PARENT_SCOPE)
 endfunction()
-quote_items(options RETIARIUS_OPTION_LITERALS)
-quote_items(libraries RETIARIUS_LIBRARY_LITERALS)
+# The options that can change results or speed.
+pair_literals(RETIARIUS_OPTION_LITERALS native "${RETIARIUS_NATIVE}" sanitize "${RETIARIUS_SANITIZE}"
+              flags "${CMAKE_CXX_FLAGS}")
+pair_literals(RETIARIUS_LIBRARY_LITERALS ${libraries})
 configure_file("${PROJECT_SOURCE_DIR}/retiarius/base/build_info.cpp.in"
                "${RETIARIUS_BUILD_INFO_DIR}/build_info.cpp" @ONLY)
