@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, configures a preset and builds it with all processors.
 set -euo pipefail
-usage='usage: scripts/build.sh [--preset release|debug|asan|ci] [--no-install]
+usage='usage: scripts/build.sh [--preset release|debug|asan|ci] [--target NAME] [--no-install]
   --preset NAME  what to build, into build/NAME (default: release)
+  --target NAME  one target only, such as retiarius_program (default: all)
   --no-install   do not look for missing Debian packages'
 
 preset=release
 install=yes
+target_options=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --preset) [ $# -ge 2 ] || { printf '%s\n' "$usage" >&2; exit 2; }; preset="$2"; shift ;;
     --preset=*) preset="${1#--preset=}" ;;
+    --target) [ $# -ge 2 ] || { printf '%s\n' "$usage" >&2; exit 2; }; target_options=(--target "$2"); shift ;;
     --no-install) install=no ;;
     -h | --help) printf '%s\n' "$usage"; exit 0 ;;
     *) printf 'build.sh: unknown option %s\n%s\n' "$1" "$usage" >&2; exit 2 ;;
@@ -32,4 +35,4 @@ if [ -n "$memory_kb" ]; then
 fi
 
 cmake --preset "$preset" --log-level=NOTICE
-cmake --build --preset "$preset" --parallel "$jobs"
+cmake --build --preset "$preset" --parallel "$jobs" "${target_options[@]}"

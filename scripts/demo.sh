@@ -19,7 +19,7 @@ done
 
 root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 cd -- "$root"
-scripts/build.sh --preset release "${build_options[@]}"
+scripts/build.sh --preset release --target retiarius_program "${build_options[@]}"
 
 # Results of earlier calls stay.
 out=out/capture
