@@ -45,7 +45,7 @@ endfunction()
 
 function(check_silence file)
   file(STRINGS "${SOURCE_DIR}/${file}" lines
-       REGEX "^[ \t]*#[ \t]*include[ \t]*<iostream>|std::cout|std::cerr|std::exit|std::abort|[^a-z_:]printf\\(|fmt::print\\(\"|stderr")
+       REGEX "^[ \t]*#[ \t]*include[ \t]*<iostream>|std::cout|std::cerr|std::exit|std::abort|std::printf|[^a-z_:]printf\\(|stdout|fmt::print\\(\"|stderr")
   foreach(line IN LISTS lines)
     string(STRIP "${line}" line)
     if(NOT line MATCHES "^//")
