@@ -7,9 +7,6 @@ target_compile_options(retiarius_options INTERFACE
 if(RETIARIUS_WARNINGS_AS_ERRORS)
   target_compile_options(retiarius_options INTERFACE -Werror)
 endif()
-if(RETIARIUS_NATIVE)
-  target_compile_options(retiarius_options INTERFACE -march=native)
-endif()
 if(RETIARIUS_SANITIZE)
   target_compile_options(retiarius_options INTERFACE
     -fsanitize=${RETIARIUS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
