@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -93,10 +94,14 @@ void check_counts(const NetworkCounts& counts, const NetSpec& spec) {
   const double most = std::numeric_limits<Index>::max();
   const double largest = std::max({counts.nodes, counts.segments, counts.joints});
   if (largest <= most) return;
+  const std::string cause =
+      spec.pattern == Pattern::file
+          ? fmt::format("net.segments = {}", spec.segments)
+          : fmt::format("net.mesh = {:.12g} with net.segments = {}", spec.mesh, spec.segments);
   throw InputError(fmt::format(
-      "net.mesh = {:.12g} with net.segments = {}: gives {:.3g} nodes and {:.3g} segments, more "
-      "than the {} that can be numbered; choose a coarser mesh or fewer segments",
-      spec.mesh, spec.segments, counts.nodes, counts.segments, most));
+      "{}: gives {:.3g} nodes and {:.3g} segments, more than the {} that can be numbered; choose "
+      "a coarser mesh or fewer segments",
+      cause, counts.nodes, counts.segments, most));
 }
 
 NetworkCounts count_network(const NetSpec& spec) {

@@ -57,7 +57,7 @@ Index other_end(const Piece& piece, Index node) { return piece.a == node ? piece
 std::vector<Index> walk(const Layout& layout, const Incidence& around, Index start) {
   std::vector<char> seen(layout.nodes.size(), 0);
   std::vector<Index> loop;
-  double back = kPi;
+  double back = -kPi / 2.0;  // no piece leads down from the lowest node
   for (Index node = start; !seen[node];) {
     seen[node] = 1;
     Index best = kNone;
@@ -115,14 +115,13 @@ void drop_straight(const std::vector<Vec3>& nodes, std::vector<Index>& hull) {
   }
 }
 
-// The lowest node (the leftmost of several) in which pieces meet: it is on the outer face.
+// A lowest node in which pieces meet: it is on the outer face.
 Index lowest(const Layout& layout, const Incidence& around) {
   Index best = kNone;
   for (Index i = 0; i < static_cast<Index>(layout.nodes.size()); ++i) {
     if (around.start[i] == around.start[i + 1]) continue;
     if (best == kNone) best = i;
-    const Vec3 &p = layout.nodes[i], &q = layout.nodes[best];
-    if (p.y() < q.y() || (p.y() == q.y() && p.x() < q.x())) best = i;
+    if (layout.nodes[i].y() < layout.nodes[best].y()) best = i;
   }
   return best;
 }

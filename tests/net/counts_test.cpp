@@ -78,6 +78,12 @@ TEST(Counts, HugeNetsAreCountedButNotBuilt) {
             "the 2147483647 that can be numbered; choose a coarser mesh or fewer segments");
 }
 
+TEST(Counts, FilesCutTooFineAreRefused) {
+  EXPECT_EQ(error_of<InputError>([] { build_network(file_of(data_file("kite.net"), 300000000)); }),
+            "net.segments = 300000000: gives 2.7e+09 nodes and 2.7e+09 segments, more than the "
+            "2147483647 that can be numbered; choose a coarser mesh or fewer segments");
+}
+
 TEST(Counts, MillionNodesBuildAndValidate) {
   const Network net = build_network(net_of(Pattern::square, 999.0, 1.0));
   EXPECT_EQ(net.node_count(), 1000000);

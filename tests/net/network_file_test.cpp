@@ -91,7 +91,9 @@ TEST_F(NetworkFile, RoundTripOfAPattern) {
       EXPECT_EQ(copy.perimeter, net.perimeter);
       EXPECT_EQ(copy.knots, net.knots);
       EXPECT_EQ(copy.joints.size(), net.joints.size());
-      if (digits == 17) EXPECT_EQ(copy.center, net.center);
+      if (digits == 17) {
+        EXPECT_EQ(copy.center, net.center);
+      }
     }
   }
 }
