@@ -12,11 +12,10 @@ double cross(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Angle in [0, 2 pi); rounding below zero counts as zero.
+// Angle from the reference, in [0, 2 pi).
 double turn_from(double reference, double angle) {
-  double turn = std::fmod(angle - reference, 2.0 * kPi);
-  if (turn < 0.0) turn += 2.0 * kPi;
-  return turn > 2.0 * kPi - 1e-9 ? 0.0 : turn;
+  const double turn = std::fmod(angle - reference, 2.0 * kPi);
+  return turn < 0.0 ? turn + 2.0 * kPi : turn;
 }
 
 double heading(const Vec3& from, const Vec3& to) {
@@ -157,7 +156,9 @@ std::vector<Index> hull_corners(const std::vector<Vec3>& nodes) {
   if (hull.size() < 3 || doubled_area(nodes, hull) <= flat) return {};
   Vec3 mean = Vec3::Zero();
   for (const Index i : hull) mean += nodes[i] / double(hull.size());
-  const auto angle = [&](Index i) { return turn_from(0.0, heading(mean, nodes[i])); };
+  // A corner that a file's digits put a little below +x is still the first one.
+  constexpr double kRounding = 1e-3;
+  const auto angle = [&](Index i) { return turn_from(-kRounding, heading(mean, nodes[i])); };
   const auto first = std::min_element(hull.begin(), hull.end(),
                                       [&](Index i, Index j) { return angle(i) < angle(j); });
   std::rotate(hull.begin(), first, hull.end());
