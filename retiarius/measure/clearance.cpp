@@ -42,8 +42,7 @@ void Clearance::approach(const Body& body, const BodyState& pose, const State& s
                          Memory& memory) {
   const Shape& shape = *body.shape;
   const Mat3 turn = pose.attitude.conjugate().toRotationMatrix();
-  for (std::size_t i = 0; i < place_.size(); ++i)
-    place_[i] = turn * (state.x[i] - pose.position);
+  for (std::size_t i = 0; i < place_.size(); ++i) place_[i] = turn * (state.x[i] - pose.position);
   bound_nodes(body, memory);
   ask_node(shape, memory, memory.nearest_node);
   if (memory.nearest_segment != kNone) ask_segment(shape, memory, memory.nearest_segment);

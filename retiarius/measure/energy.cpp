@@ -2,8 +2,7 @@
 
 namespace retiarius {
 
-double kinetic_energy(const Network& network, const std::vector<Body>& bodies,
-                      const State& state) {
+double kinetic_energy(const Network& network, const std::vector<Body>& bodies, const State& state) {
   double sum = 0.0;
   for (std::size_t i = 0; i < state.v.size(); ++i)
     sum += 0.5 * network.mass[i] * state.v[i].squaredNorm();

@@ -41,7 +41,7 @@ class TensionWindow {
   double length_ = 0.0;           // of all pieces, s
   std::size_t dropped_ = 0;       // pieces since the sums were last taken anew
   double largest_ = 0.0;
-  bool full_ = false;             // a whole window has passed
+  bool full_ = false;  // a whole window has passed
 };
 
 }  // namespace retiarius

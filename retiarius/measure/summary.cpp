@@ -1,0 +1,57 @@
+// The measures of a run as names, units and values.
+#include "retiarius/measure/run_measures.hpp"
+
+namespace retiarius {
+
+namespace {
+
+Measure measure(const char* name, const char* unit, double value) { return {name, unit, value}; }
+
+Measure measure(const char* name, const char* unit, const std::optional<double>& value) {
+  if (!value) return {name, unit, std::monostate{}};
+  return {name, unit, *value};
+}
+
+}  // namespace
+
+Measures RunMeasures::summary() const {
+  std::optional<double> widest_travel;
+  if (!shot_corners_.empty()) widest_travel = whole_.mouth_area_travel;
+  return {
+      measure("mouth_area_flat", "m2", flat_area_),
+      measure("mouth_width_flat", "m", flat_width_),
+      measure("mouth_area_max", "m2", whole_.mouth_area),
+      measure("mouth_area_max_time", "s", whole_.mouth_area_time),
+      measure("mouth_area_max_travel", "m", widest_travel),
+      measure("mouth_area_final", "m2", readings_.mouth_area),
+      measure("mouth_vector_area_final", "m2", readings_.mouth_vector_area),
+      measure("mouth_width_final", "m", readings_.mouth_width),
+      measure("peak_tension", "N", whole_.tension),
+      measure("peak_tension_20ms", "N", window_.largest()),
+      measure("peak_strain", "", whole_.strain),
+      measure("first_contact_time", "s", whole_.first_contact),
+      measure("smallest_distance", "m", whole_.smallest_distance),
+      {"closed", "", closure_.closed()},
+      measure("linear_momentum_drift", "", linear_.value()),
+      measure("angular_momentum_drift", "", angular_.value()),
+      {"steps", "", steps_},
+      {"newton_iterations", "", iterations_},
+  };
+}
+
+Measures RunMeasures::phase_summary() const {
+  return {
+      measure("mouth_area_max", "m2", phase_.mouth_area),
+      measure("mouth_area_max_time", "s", phase_.mouth_area_time),
+      measure("mouth_area_final", "m2", readings_.mouth_area),
+      measure("mouth_width_final", "m", readings_.mouth_width),
+      measure("peak_tension", "N", phase_.tension),
+      measure("peak_strain", "", phase_.strain),
+      measure("first_contact_time", "s", phase_.first_contact),
+      measure("smallest_distance", "m", phase_.smallest_distance),
+      {"steps", "", phase_.steps},
+      {"newton_iterations", "", phase_.iterations},
+  };
+}
+
+}  // namespace retiarius
