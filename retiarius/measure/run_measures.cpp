@@ -37,11 +37,16 @@ void RunMeasures::begin(const Simulation& simulation) {
 void RunMeasures::begin_phase(const Simulation& simulation, bool prescribed) {
   const State& state = simulation.state();
   balance_.see(simulation);
-  closure_.set_prescribed(state.time, prescribed);
-  prescribed_ = prescribed;
+  set_prescribed(simulation, prescribed);
   rebase_drift(state);
   phase_ = {};
   phase_.see_shape(state.time, readings_, travel_);
+}
+
+void RunMeasures::set_prescribed(const Simulation& simulation, bool prescribed) {
+  closure_.set_prescribed(simulation.state().time, prescribed);
+  if (prescribed_ && !prescribed) rebase_drift(simulation.state());
+  prescribed_ = prescribed;
 }
 
 void RunMeasures::shot(const Simulation& simulation, const Vec3& axis) {

@@ -35,6 +35,10 @@ class RunMeasures {
   // prescribed: whether nodes are moved, beyond being held, in this phase.
   void begin_phase(const Simulation& simulation, bool prescribed);
 
+  // For motion that begins or ends within a phase: to be called before the next step. Drifts and
+  // closing count while nothing is moved.
+  void set_prescribed(const Simulation& simulation, bool prescribed);
+
   // axis: of the shot, any length but 0; mouth areas are projected along it from now on.
   void shot(const Simulation& simulation, const Vec3& axis);
 

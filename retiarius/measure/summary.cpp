@@ -1,4 +1,5 @@
 // The measures of a run as names, units and values.
+#include "retiarius/measure/capture.hpp"
 #include "retiarius/measure/run_measures.hpp"
 
 namespace retiarius {
@@ -7,7 +8,8 @@ namespace {
 
 Measure measure(const char* name, const char* unit, double value) { return {name, unit, value}; }
 
-Measure measure(const char* name, const char* unit, const std::optional<double>& value) {
+template <typename Value>
+Measure measure(const char* name, const char* unit, const std::optional<Value>& value) {
   if (!value) return {name, unit, std::monostate{}};
   return {name, unit, *value};
 }
@@ -15,6 +17,15 @@ Measure measure(const char* name, const char* unit, const std::optional<double>&
 }  // namespace
 
 Measures RunMeasures::summary() const {
+  std::optional<Capture> capture;
+  if (!bodies_->empty()) capture = measure_capture(bodies_->front(), poses_.front(), nodes_);
+  const bool closed = closure_.closed();
+  std::optional<double> share;
+  std::optional<bool> success;
+  if (capture) {
+    share = capture->share;
+    success = capture->share > 0.9 && capture->center_inside && closed;
+  }
   std::optional<double> widest_travel;
   if (!shot_corners_.empty()) widest_travel = whole_.mouth_area_travel;
   return {
@@ -31,7 +42,9 @@ Measures RunMeasures::summary() const {
       measure("peak_strain", "", whole_.strain),
       measure("first_contact_time", "s", whole_.first_contact),
       measure("smallest_distance", "m", whole_.smallest_distance),
-      {"closed", "", closure_.closed()},
+      measure("captured_share", "", share),
+      {"closed", "", closed},
+      measure("success", "", success),
       measure("linear_momentum_drift", "", linear_.value()),
       measure("angular_momentum_drift", "", angular_.value()),
       {"steps", "", steps_},
