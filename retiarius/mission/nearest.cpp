@@ -31,16 +31,31 @@ int edit_distance(const std::string& a, const std::string& b) {
   return last[n];
 }
 
+namespace {
+
+std::size_t common_beginning(const std::string& a, const std::string& b) {
+  const auto ends = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<std::size_t>(ends.first - a.begin());
+}
+
+}  // namespace
+
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names) {
   constexpr std::size_t kLongest = 100;  // nobody mistypes a name into a page of text
   if (word.empty() || word.size() > kLongest) return std::nullopt;
   const int limit = std::max(2, static_cast<int>(word.size()) / 3);
   std::optional<std::string> best;
   int least = limit + 1;
+  std::size_t longest = 0;  // beginning in common
   for (const std::string& name : names) {
     const int distance = edit_distance(word, name);
-    if (distance < least && distance < static_cast<int>(std::max(word.size(), name.size()))) {
+    if (distance > limit || distance >= static_cast<int>(std::max(word.size(), name.size()))) {
+      continue;
+    }
+    const std::size_t alike = common_beginning(word, name);
+    if (distance < least || (distance == least && alike > longest)) {
       least = distance;
+      longest = alike;
       best = name;
     }
   }

@@ -11,8 +11,8 @@ namespace retiarius {
 // that turn one word into the other; case does not count.
 int edit_distance(const std::string& a, const std::string& b);
 
-// The name nearest to `word`, the first of equals; none where more than a third of it (at least
-// two letters) would have to change.
+// The name nearest to `word`, of equals the one that begins most alike; none where more than a
+// third of it (at least two letters) would have to change.
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names);
 
 // ", did you mean radius?" or "; allowed: a, b, c".

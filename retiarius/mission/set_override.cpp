@@ -148,12 +148,18 @@ class Override {
 
   // The TOML value, or the bare text where the key is one.
   toml::table parse_value(const std::string& table, const std::string& name) const {
+    const TableView& view = *find_table(table);
     bool textual = false, list = false;
-    for (const KeyInfo* k : find_table(table)->keys) {
+    std::vector<std::string> names = view.info->children;
+    for (const KeyInfo* k : view.keys) {
+      names.push_back(k->name);
       if (k->name != name) continue;
       textual = k->type == KeyType::text || k->type == KeyType::word || k->type == KeyType::texts ||
                 k->type == KeyType::node;
       list = k->type == KeyType::texts;
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      fail(fmt::format("unknown key {}{}", join(table, name), suggestion(name, names)));
     }
     if (value_.empty()) fail("the value is missing");
     try {

@@ -21,11 +21,11 @@ class BadFile : public testing::Test {
   BadFile() {
     std::string pattern = (fs::temp_directory_path() / "retiarius-XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
+    path_ = (folder_ / "m.toml").string();
   }
   ~BadFile() override { fs::remove_all(folder_); }
 
   std::string error_reading(const std::string& content) {
-    path_ = (folder_ / "m.toml").string();
     std::ofstream(path_, std::ios::binary) << content;
     return error_at(path_);
   }

@@ -18,6 +18,7 @@ TEST(Nearest, CountsEdits) {
 
 TEST(Nearest, FindsTheNearestOrNone) {
   EXPECT_EQ(nearest("desity", {"radius", "density"}), "density");
+  EXPECT_EQ(nearest("wide", {"time", "widest"}), "widest");  // as near, but begins alike
   EXPECT_EQ(nearest("stiffness", {"radius", "density"}), std::nullopt);
   EXPECT_EQ(nearest("x", {"y"}), std::nullopt);
   EXPECT_EQ(nearest(std::string(100000, 'a'), {"radius"}), std::nullopt);

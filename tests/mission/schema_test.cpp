@@ -36,14 +36,17 @@ std::string target_text(const std::string& shape) {
   if (round.count(shape) > 0 && shape != "sphere") text += "length = 1.5\n";
   if (shape == "box") text += "size = [3.0, 1.0, 2.0]\n";
   if (shape == "mesh") text += fmt::format("file = \"{}\"\n", kAnyFile);
-  return text + (shape == "plane" ? "motion = \"fixed\"\n" : "mass = 9.0\n");
+  if (shape == "plane") return text + "motion = \"fixed\"\n";
+  return text + (shape == "box" ? "density = 9.0\n" : "mass = 9.0\n");
 }
 
 std::string phase_text(const std::string& kind) {
   std::string text = fmt::format("[[phase]]\nkind = \"{}\"\nuntil = \"time >= 1\"\n", kind);
   if (kind == "shoot") text += "speed = 5.0\n";
   if (kind == "fold") text += "duration = 3.0\ngrip_spacing = 0.3\n";
-  return text + "[[phase.move]]\nnodes = \"center\"\nvelocity = [0.0, 0.0, 1.0]\n";
+  text += "[[phase.move]]\nnodes = \"center\"\n";
+  if (kind == "spread") return text + "displacement = [0.0, 0.0, 1.0]\nduration = 1.0\n";
+  return text + "velocity = [0.0, 0.0, 1.0]\n";
 }
 
 const KeyInfo* selector(const char* table) {
