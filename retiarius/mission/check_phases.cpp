@@ -20,6 +20,9 @@ class PhaseCheck {
         path_(fmt::format("phase[{}]", i)) {}
 
   void check() const {
+    if (std::find(phase_.fix.begin(), phase_.fix.end(), "none") != phase_.fix.end()) {
+      fail("fix", "mixes none with names of nodes");
+    }
     if (phase_.kind == PhaseKind::shoot) check_shot();
     if (phase_.kind == PhaseKind::fold) check_fold();
     if (phase_.kind == PhaseKind::close && mission_.targets.empty()) {

@@ -84,6 +84,11 @@ tables take zero-based brackets, values are TOML; texts and words may stand with
 
 Each run leaves `resolved.toml`: the mission with every default and override filled in, paths made
 absolute. It is a mission file itself.
+
+## An example
+
+`retiarius new NAME` writes it:
+
 )";
 
 }  // namespace
@@ -101,7 +106,7 @@ std::string mission_file_markdown() {
     out += fmt::format("| `{}` | {} | {} |\n", name.name, name.flag ? "true or false" : name.unit,
                        name.meaning);
   }
-  return out + kOverrides;
+  return out + kOverrides + "```toml\n" + starter_mission("first") + "```\n";
 }
 
 }  // namespace retiarius

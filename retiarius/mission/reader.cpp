@@ -27,13 +27,16 @@ std::string file_text(const std::string& path) {
   if (fs::is_directory(path, error)) {
     throw InputError(place, "is a folder; a mission file is expected");
   }
-  constexpr std::uintmax_t kLargest = 16u << 20;  // bytes; a mission has a few thousand
-  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kLargest) {
-    throw InputError(place, "is larger than 16 MiB; a mission file is expected");
-  }
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(place, "cannot be read; check its permissions");
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  // A mission has a few thousand bytes; devices may have no end.
+  constexpr std::size_t kLargest = 16u << 20;
+  std::string text(kLargest + 1, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kLargest) {
+    throw InputError(place, "is larger than 16 MiB; a mission file is expected");
+  }
   if (in.bad()) throw InputError(place, "cannot be read to its end");
   return text;
 }

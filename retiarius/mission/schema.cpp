@@ -19,7 +19,7 @@ const Table<Mission>& mission_table() {
     };
     return Table<Mission>(
         {"",
-         "The top of the file.",
+         "What the run is, before the first table.",
          "",
          false,
          {"net", "target", "environment", "integrator", "contact", "phase", "probe", "output"}},

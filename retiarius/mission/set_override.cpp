@@ -172,7 +172,11 @@ class Override {
         fail(fmt::format("\"{}\" is not a TOML value: {}", value_, error.description()));
       }
     }
-    return make(quoted(value_));
+    try {
+      return make(quoted(value_));
+    } catch (const toml::parse_error& error) {
+      fail(fmt::format("the value is not a text: {}", error.description()));
+    }
   }
 
   std::string source_;

@@ -11,7 +11,8 @@ const std::vector<TriggerName>& trigger_names() {
   static const std::vector<TriggerName> names = {
       {"time", "s", "time since the mission's start", &TriggerValues::time, nullptr},
       {"phase_time", "s", "time since the phase's start", &TriggerValues::phase_time, nullptr},
-      {"mouth_area", "m2", "area of the mouth, projected along the shot axis",
+      {"mouth_area", "m2",
+       "area of the mouth, projected along the shot axis (before a shot: the flat net's normal)",
        &TriggerValues::mouth_area, nullptr},
       {"mouth_ratio", "", "mouth_area over that of the flat net", &TriggerValues::mouth_ratio,
        nullptr},

@@ -67,6 +67,11 @@ TEST_F(BadFile, TooLarge) {
             path_ + ": is larger than 16 MiB; a mission file is expected");
 }
 
+TEST_F(BadFile, DevicesWithoutEnd) {
+  EXPECT_EQ(error_at("/dev/zero"), "/dev/zero: is larger than 16 MiB; a mission file is expected");
+  EXPECT_THAT(error_at("/dev/null"), HasSubstr("is empty"));
+}
+
 TEST_F(BadFile, SyntaxErrorsHaveLineAndColumn) {
   EXPECT_THAT(error_reading("[net]\nside = = 1\n"), StartsWith(path_ + ":2:8: syntax error: "));
   EXPECT_THAT(error_reading("[net\nside = 1\n"), StartsWith(path_ + ":1:5: syntax error: "));
@@ -228,7 +233,9 @@ TEST(BadMission, Phases) {
   const std::string fold = with("\"free\"", "\"fold\"") + "duration = 1\n";
   const std::string move = kLeast + "[[phase.move]]\nnodes = \"center\"\n";
   expect_errors(
-      {{shoot + "speed = [1, 2]\n",
+      {{kLeast + "fix = [\"none\", \"center\"]\n",
+        "m.toml:14:7: phase[0].fix mixes none with names of nodes"},
+       {shoot + "speed = [1, 2]\n",
         "m.toml:14:9: phase[0].speed lists 2 values, but the net has 6 corners: give one value or "
         "6"},
        {shoot + "speed = 1\ndelay = [1, 2, 3, 4, 5]\n",

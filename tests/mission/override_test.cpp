@@ -93,6 +93,7 @@ TEST(Override, ErrorsNameTheOverride) {
       {"phase[0].kind=fly", "phase[0].kind = \"fly\": must be one of \"free\""},
       {"phase[0].until=tme > 1", "at character 1: unknown name tme"},
       {"net.thread.bendin=none", "unknown key net.thread.bendin, did you mean bending?"},
+      {"title=\xff", "the value is not a text: "},
       {"net=3", "net must be a table: write [net]"},
       {"net.side=1\nx=2", "the value must be one TOML value"},
       {"net.sides=5", "net.sides belongs to pattern polygon, not hexagon"}};
