@@ -33,8 +33,8 @@ std::string file_name_of(const std::string& name) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
   std::string safe = name;
   std::replace_if(
-      safe.begin(), safe.end(),
-      [&](char c) { return kAllowed.find(c) == std::string_view::npos; }, '_');
+      safe.begin(), safe.end(), [&](char c) { return kAllowed.find(c) == std::string_view::npos; },
+      '_');
   return safe;
 }
 

@@ -10,7 +10,8 @@ namespace retiarius {
 // the body's origin, twice as wide as the net as designed.
 TriangleMesh drawn_mesh(const Body& body, const Network& network);
 
-// A name made safe for use in a file name: bytes other than letters, digits, '-', '_', '.' become '_'.
+// A name made safe for use in a file name: bytes other than letters, digits, '-', '_', '.' become
+// '_'.
 std::string file_name_of(const std::string& name);
 
 }  // namespace retiarius

@@ -1,6 +1,7 @@
 #include "retiarius/record/checkpoint.hpp"
 
 #include <bit>
+
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
@@ -133,8 +134,8 @@ std::string_view checked_payload(std::string_view bytes) {
   Reader header(bytes.substr(kMagic.size()));
   const auto format = header.number(4);
   if (format != kCheckpointFormat)
-    throw Error(fmt::format("it has format {}, this version reads format {}", format,
-                            kCheckpointFormat));
+    throw Error(
+        fmt::format("it has format {}, this version reads format {}", format, kCheckpointFormat));
   header.number(4);
   if (header.number(8) != bytes.size() - kHeaderSize - kChecksumSize)
     throw Error("its length is not the one it states");

@@ -1,7 +1,8 @@
 #include "retiarius/record/export_run.hpp"
 
-#include <fmt/format.h>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/history_csv.hpp"
@@ -49,11 +50,11 @@ std::string body_lines(const FrameData& frame, std::size_t number) {
   std::string text;
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     const BodyState& b = frame.bodies[k];
-    text += csv_line({static_cast<double>(number), frame.time, static_cast<double>(k),
-                      b.position.x(), b.position.y(), b.position.z(), b.attitude.x(),
-                      b.attitude.y(), b.attitude.z(), b.attitude.w(), b.velocity.x(),
-                      b.velocity.y(), b.velocity.z(), b.angular_momentum.x(),
-                      b.angular_momentum.y(), b.angular_momentum.z()});
+    text +=
+        csv_line({static_cast<double>(number), frame.time, static_cast<double>(k), b.position.x(),
+                  b.position.y(), b.position.z(), b.attitude.x(), b.attitude.y(), b.attitude.z(),
+                  b.attitude.w(), b.velocity.x(), b.velocity.y(), b.velocity.z(),
+                  b.angular_momentum.x(), b.angular_momentum.y(), b.angular_momentum.z()});
   }
   return text;
 }

@@ -17,7 +17,13 @@ constexpr unsigned kCompressionLevel = 3;  // beyond it files shrink little and 
 
 }  // namespace
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void prepare() {
+  // At exit HDF5 would try again to close a file that the full disk kept from closing, and crash.
+  // Nothing is left to that moment: every file is flushed and closed before.
+  static const herr_t once = H5dont_atexit();
+  (void)once;
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string last_error() {
   std::string text = "unknown HDF5 error";
@@ -58,9 +64,9 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
   checked(H5Tset_cset(type.id(), H5T_CSET_UTF8));
   checked(H5Tset_strpad(type.id(), H5T_STR_NULLPAD));
   Handle space(checked_id(H5Screate(H5S_SCALAR)), H5Sclose);
-  Handle attribute(checked_id(H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                                         H5P_DEFAULT)),
-                   H5Aclose);
+  Handle attribute(
+      checked_id(H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT)),
+      H5Aclose);
   checked(H5Awrite(attribute.id(), type.id(), text.c_str()));
 }
 

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <hdf5.h>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <hdf5.h>
 
 namespace retiarius::h5 {
 
@@ -38,8 +39,9 @@ class Handle {
   Close close_ = nullptr;
 };
 
-// HDF5 prints its errors unless told otherwise; the library never prints.
-void silence();
+// To be called before a file is opened: HDF5 prints its errors unless told otherwise, and cleans up
+// at exit in a way that crashes after a full disk.
+void prepare();
 
 // The innermost cause of the last HDF5 error: the system's message where there is one.
 std::string last_error();
@@ -86,8 +88,7 @@ Handle write_array(hid_t parent, const std::string& name, const std::vector<hsiz
                                    H5P_DEFAULT, H5P_DEFAULT)),
              H5Dclose);
   if (!values.empty())
-    checked(
-        H5Dwrite(set.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    checked(H5Dwrite(set.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return set;
 }
 
@@ -104,11 +105,10 @@ std::vector<T> read_rows(hid_t dataset, hsize_t first, hsize_t count) {
   Handle file_space(checked_id(H5Dget_space(dataset)), H5Sclose);
   checked(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start.data(), nullptr, shape.data(),
                               nullptr));
-  Handle memory(
-      checked_id(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr)),
-      H5Sclose);
-  checked(H5Dread(dataset, native_type<T>(), memory.id(), file_space.id(), H5P_DEFAULT,
-                  values.data()));
+  Handle memory(checked_id(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr)),
+                H5Sclose);
+  checked(
+      H5Dread(dataset, native_type<T>(), memory.id(), file_space.id(), H5P_DEFAULT, values.data()));
   return values;
 }
 
@@ -117,8 +117,8 @@ class Series {
  public:
   // `row` is the shape of one entry (empty: a number), `chunk` the entries of one chunk. Compressed
   // chunks should hold one entry, so that each is written once and never moved.
-  Series(hid_t parent, const std::string& name, hid_t type, std::vector<hsize_t> row,
-         hsize_t chunk, bool compressed);
+  Series(hid_t parent, const std::string& name, hid_t type, std::vector<hsize_t> row, hsize_t chunk,
+         bool compressed);
 
   // Appends `count` entries; `values` has count times the entry's size elements of `type`.
   void append(const void* values, hsize_t count, hid_t type);

@@ -1,8 +1,9 @@
 #include "retiarius/record/run_file.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <type_traits>
+
+#include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/h5.hpp"
@@ -14,7 +15,7 @@ namespace retiarius {
 namespace {
 
 h5::Handle open_file(const std::filesystem::path& path) {
-  h5::silence();
+  h5::prepare();
   h5::Handle access(h5::checked_id(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
   h5::checked(H5Pset_file_locking(access.id(), true, true));
   hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
@@ -56,8 +57,7 @@ std::vector<std::string> names_in(hid_t group) {
 
 // A killed writer may have let some datasets grow further than others: what all have is complete.
 hsize_t common_length(hid_t file, const std::string& group_name) {
-  const h5::Handle group(h5::checked_id(H5Gopen2(file, group_name.c_str(), H5P_DEFAULT)),
-                         H5Gclose);
+  const h5::Handle group(h5::checked_id(H5Gopen2(file, group_name.c_str(), H5P_DEFAULT)), H5Gclose);
   hsize_t length = H5S_UNLIMITED;
   for (const std::string& name : names_in(group.id()))
     length = std::min(length, h5::shape_of(h5::open_dataset(group.id(), name).id()).at(0));
@@ -73,8 +73,8 @@ class RunFile::Impl {
       file_ = open_file(path);
       const std::int64_t format = h5::read_integer(file_.id(), "format");
       if (format != kRunFileFormat)
-        throw Error(fmt::format("it has format {}, this version reads format {}", format,
-                                kRunFileFormat));
+        throw Error(
+            fmt::format("it has format {}, this version reads format {}", format, kRunFileFormat));
       rows_ = common_length(file_.id(), "history");
       frames_ = common_length(file_.id(), "frames");
     });
@@ -85,7 +85,8 @@ class RunFile::Impl {
     try {
       return call();
     } catch (const Error& error) {
-      throw InputError(fmt::format("cannot read the run file {}: {}", path_.string(), error.what()));
+      throw InputError(
+          fmt::format("cannot read the run file {}: {}", path_.string(), error.what()));
     }
   }
 
@@ -175,8 +176,8 @@ std::size_t RunFile::frame_count() const { return impl_->frames(); }
 FrameData RunFile::frame(std::size_t number) const {
   return impl_->guarded([&] {
     if (number >= impl_->frames())
-      throw Error(fmt::format("it has {} frames, number {} is not among them", impl_->frames(),
-                              number));
+      throw Error(
+          fmt::format("it has {} frames, number {} is not among them", impl_->frames(), number));
     FrameData frame;
     frame.time = impl_->frame_part<double>("time", number)[0];
     frame.phase = impl_->frame_part<Index>("phase", number)[0];

@@ -1,8 +1,11 @@
 #include "retiarius/record/run_h5.hpp"
 
+#include <array>
+#include <fstream>
+#include <map>
+
 #include <fmt/format.h>
 #include <hdf5_hl.h>
-#include <map>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/body_mesh.hpp"
@@ -14,8 +17,8 @@ namespace retiarius {
 
 namespace {
 
-constexpr hsize_t kHistoryChunk = 256;         // rows
-constexpr std::size_t kBufferedRows = 1024;    // at most, when frames are rare
+constexpr hsize_t kHistoryChunk = 256;       // rows
+constexpr std::size_t kBufferedRows = 1024;  // at most, when frames are rare
 
 std::vector<double> flat(const std::vector<Vec3>& vectors) {
   std::vector<double> numbers;
@@ -32,7 +35,7 @@ std::vector<Index> flat(const std::vector<std::array<Index, N>>& tuples) {
 }
 
 h5::Handle create_file(const std::filesystem::path& path) {
-  h5::silence();
+  h5::prepare();
   h5::Handle access(h5::checked_id(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
   // Needed for the single-writer-multiple-reader mode.
   h5::checked(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
@@ -91,10 +94,10 @@ void write_bodies(hid_t file, const RunModel& model) {
     describe(
         h5::write_array(body.id(), "vertices", {mesh.vertices.size(), 3}, flat(mesh.vertices)).id(),
         "m", "vertices of the drawn surface in body axes");
-    describe(h5::write_array(body.id(), "triangles", {mesh.triangles.size(), 3},
-                             flat(mesh.triangles))
-                 .id(),
-             "1", "three vertices of each triangle, counter-clockwise from outside");
+    describe(
+        h5::write_array(body.id(), "triangles", {mesh.triangles.size(), 3}, flat(mesh.triangles))
+            .id(),
+        "1", "three vertices of each triangle, counter-clockwise from outside");
   }
 }
 
@@ -185,8 +188,10 @@ class RunH5::File {
           frames_.try_emplace(name, group.id(), name, type, row, array ? 1 : 64, array);
       describe(entry->second.id(), unit, meaning);
       const hid_t time = frames_.at("time").id();
-      if (entry->second.id() != time) h5::checked(H5DSattach_scale(entry->second.id(), time, 0));
-      else h5::checked(H5DSset_scale(time, "time"));
+      if (entry->second.id() != time)
+        h5::checked(H5DSattach_scale(entry->second.id(), time, 0));
+      else
+        h5::checked(H5DSset_scale(time, "time"));
     };
     const hid_t number = H5T_NATIVE_DOUBLE;
     const hsize_t bodies = bodies_;
@@ -235,8 +240,26 @@ void RunH5::guarded(const char* what, Call&& call) {
     call();
   } catch (const Error& error) {
     broken_ = true;
+    save_what_is_written();
     throw RunError(fmt::format("cannot {} {}: {}", what, path_.string(), error.what()));
   }
+}
+
+// On a full disk the file may end before the end that its own header states, and HDF5 refuses it
+// then. A hole makes up the difference: it needs no space on the disk and nothing refers to it.
+void RunH5::save_what_is_written() {
+  file_.reset();
+  constexpr std::streamoff kEndOfFileAddress = 28;  // in a superblock of version 2 or 3
+  std::array<unsigned char, 8> bytes{};
+  std::ifstream stream(path_, std::ios::binary);
+  stream.seekg(kEndOfFileAddress);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
+  std::uintmax_t stated = 0;
+  for (std::size_t k = 0; k < bytes.size(); ++k) stated |= std::uintmax_t{bytes[k]} << (8 * k);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  if (!error && stated > size) std::filesystem::resize_file(path_, stated, error);
+  // A failure here leaves the file as it is; the error that led here is the one to report.
 }
 
 RunH5::RunH5(const std::filesystem::path& folder, std::string resolved, std::string version)

@@ -33,11 +33,13 @@ class RunH5 : public Observer {
 
   template <class Call>
   void guarded(const char* what, Call&& call);
+  void save_what_is_written();
 
   std::filesystem::path path_;
   std::string resolved_, version_;
   std::unique_ptr<File> file_;
-  bool broken_ = false;  // after an error HDF5's own state cannot be trusted: nothing more is written
+  bool broken_ =
+      false;  // after an error HDF5's own state cannot be trusted: nothing more is written
 };
 
 }  // namespace retiarius

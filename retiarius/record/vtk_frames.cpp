@@ -1,6 +1,7 @@
 #include "retiarius/record/vtk_frames.hpp"
 
 #include <algorithm>
+
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
@@ -26,8 +27,7 @@ VtpArray vector_array(const char* name, const std::vector<Vec3>& values) {
 void create_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error)
-    throw RunError(fmt::format("cannot create {}: {}", folder.string(), error.message()));
+  if (error) throw RunError(fmt::format("cannot create {}: {}", folder.string(), error.message()));
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {

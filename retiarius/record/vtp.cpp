@@ -2,8 +2,9 @@
 
 #include <bit>
 #include <cstring>
-#include <fmt/format.h>
 #include <iterator>
+
+#include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
 

@@ -1,6 +1,7 @@
 #include "retiarius/record/checkpoint.hpp"
 
 #include <cstring>
+
 #include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
@@ -10,8 +11,8 @@
 namespace retiarius {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::error_text;
+using ::testing::HasSubstr;
 using testing::SampleRun;
 using testing::TemporaryFolder;
 

@@ -1,9 +1,10 @@
 #include "retiarius/record/vtk_frames.hpp"
 
 #include <cstring>
-#include <gmock/gmock.h>
 #include <map>
 #include <regex>
+
+#include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/body_mesh.hpp"
@@ -13,8 +14,8 @@
 namespace retiarius {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::error_text;
+using ::testing::HasSubstr;
 using testing::SampleRun;
 using testing::TemporaryFolder;
 
@@ -154,7 +155,8 @@ TEST(VtkFrames, EndListsEveryFrameOfALongRun) {
   const auto listed = [&] {
     const std::string pvd = read_whole_file(folder / "frames.pvd");
     std::size_t count = 0;
-    for (std::size_t at = pvd.find("frame_"); at != std::string::npos; at = pvd.find("frame_", at + 1))
+    for (std::size_t at = pvd.find("frame_"); at != std::string::npos;
+         at = pvd.find("frame_", at + 1))
       ++count;
     return count;
   };
