@@ -46,7 +46,10 @@ struct NetSpec {
   Pattern pattern = Pattern::hexagon;  // required
   int sides = 6;                       // corners of pattern = "polygon", at least 3
   double side = 0.0;                   // m, length of one side of the outline; required
-  double mesh = 0.0;                   // m, knot to knot; required; divides the side
+  // m, knot to knot along the side, which it divides; required. Lines of a polygon's sectors and of
+  // the diamond square have pieces of length R mesh / side, R being the outline's circumradius; in
+  // all other patterns every piece has the length of the mesh.
+  double mesh = 0.0;
   // Mesh of pattern = "square" (square, along the sides, or diamond, at 45 degrees) and "triangle"
   // (natural: three families of threads parallel to the sides; diamond: two families).
   Cell cell = Cell::natural;
@@ -56,7 +59,7 @@ struct NetSpec {
   double scale = 1.0;                  // of the initial positions in the net's plane
   bool zigzag = false;
   double disturbance = 0.0;            // m, random displacement of the start, from the mission's seed
-  std::string file;                    // network file of pattern = "file"
+  std::string file;                    // network file of pattern = "file" (net/network_file.hpp)
   std::string state;                   // run folder or checkpoint that gives the initial positions
   Vec3 position = Vec3::Zero();        // m, where the net's centre is placed
   ThreadSpec thread;
