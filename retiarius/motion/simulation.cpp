@@ -180,7 +180,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   now.bodies = problem_->end_bodies();
   // The velocity from the positions, less what Newton's tolerance left as residual: linear
   // momentum is then kept to round-off whatever the tolerance.
-  const double weight = step.rate * step.reach / step.inertia;
+  const double weight = step.reaction_impulse();
   std::vector<Vec3> residual = g;
   for (const Constraint& c : problem_->constraints())
     residual[c.node] -= c.blocked * residual[c.node];
@@ -222,7 +222,7 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
                                  const State& old) {
   const std::vector<Vec3>& y = problem_->stage();
   const std::vector<Vec3>& g = problem_->gradient();
-  const double weight = step.rate * step.reach / step.inertia;
+  const double weight = step.reaction_impulse();
   for (const Prescribed& p : prescribed) {
     const Index i = p.node;
     const double m = network_->mass[i];

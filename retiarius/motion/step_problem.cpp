@@ -299,10 +299,10 @@ std::pair<double, Index> StepProblem::largest_residual() const {
   for (std::size_t i = 0; i < gradient_.size(); ++i) {
     Vec3 r = gradient_[i];
     if (constraint_of_[i] != kNone) r -= constraints_[constraint_of_[i]].blocked * r;
-    if (!(r.squaredNorm() <= largest)) {
-      largest = r.squaredNorm();
-      where = static_cast<Index>(i);
-    }
+    if (!r.allFinite()) return {kInfinity, static_cast<Index>(i)};
+    if (r.squaredNorm() <= largest) continue;
+    largest = r.squaredNorm();
+    where = static_cast<Index>(i);
   }
   return {std::sqrt(largest), where};
 }
