@@ -67,7 +67,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   problem_->bind_laws();
   response_.reset();
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
-    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), contact.friction);
+    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
+                                               contact.friction);
 }
 
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions

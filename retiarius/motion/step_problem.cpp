@@ -60,7 +60,7 @@ void StepProblem::begin(Start start) {
   if (start_.contact) {
     std::vector<bool> held(mass_.size(), false);
     for (const Prescribed& p : *start_.prescribed) held[p.node] = true;
-    start_.contact->begin(*step.start, end_positions(), start_.bodies, held);
+    start_.contact->begin(step, end_positions(), start_.bodies, held);
   }
   collect_constraints();
   project_guess();
