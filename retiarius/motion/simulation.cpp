@@ -72,8 +72,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
 }
 
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions
-// far from the origin.
-double Simulation::force_floor() const {
+// far from the origin; nor inertia better than the rounding of positions.
+double Simulation::force_floor(const Step& step) const {
   double stiffest = 0.0;
   double shortest = kInfinity;
   for (const Segment& s : network_->segments) {
@@ -82,8 +82,10 @@ double Simulation::force_floor() const {
   }
   double farthest = 0.0;
   for (const Vec3& x : state_.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const double heaviest = *std::max_element(network_->mass.begin(), network_->mass.end());
   const double ulps = std::max(64.0, 4.0 * farthest / shortest);
-  return ulps * std::numeric_limits<double>::epsilon() * stiffest;
+  return std::numeric_limits<double>::epsilon() *
+         (ulps * stiffest + 4.0 * heaviest * step.inertia * farthest);
 }
 
 std::vector<Vec3> Simulation::start_acceleration() {
@@ -131,7 +133,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   start.bodies = free_bodies(h);
   start.contact = response_.get();
   start.tolerance = integrator_.tolerance;
-  start.force_floor = force_floor();
+  start.force_floor = force_floor(step);
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
@@ -269,7 +271,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     start.prescribed = &held;
     start.bodies = old.bodies;
     start.tolerance = integrator_.tolerance;
-    start.force_floor = force_floor();
+    start.force_floor = force_floor(step);
     problem_->begin(std::move(start));
     NewtonSettings settings;
     settings.step_tolerance = integrator_.tolerance * length_scale_;
