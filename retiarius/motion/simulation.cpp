@@ -156,14 +156,15 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
   std::string failure;
   const double whole = end - state_.time;
   for (; report.halvings <= integrator_.max_halvings; ++report.halvings) {
-    const double part = report.halvings == 0 ? end
-                                             : state_.time + std::ldexp(whole, -report.halvings);
+    const double part =
+        report.halvings == 0 ? end : state_.time + std::ldexp(whole, -report.halvings);
     if (try_step(part, motion, report, failure)) return report;
   }
   const auto [residual, node] = problem_->largest_residual();
   const Vec3 at = node == kNone ? Vec3(Vec3::Zero()) : problem_->stage()[node];
   throw RunError(fmt::format(
-      "the step at time {:.9g} s does not converge, even cut to {:.3g} s: {}; the largest residual, "
+      "the step at time {:.9g} s does not converge, even cut to {:.3g} s: {}; the largest "
+      "residual, "
       "{:.3g} N, is at node {} ({:.6g}, {:.6g}, {:.6g}). Try a smaller integrator.step, more "
       "integrator.max_iterations, or another integrator.method",
       state_.time, std::ldexp(whole, -integrator_.max_halvings), failure, residual, node, at.x(),
@@ -171,8 +172,7 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
 }
 
 // Turns the solved stage into the next state and books what the step exchanged.
-void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
-                        double end) {
+void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed, double end) {
   const State old = state_;
   Step done = step;
   done.start = &old;
@@ -297,9 +297,10 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     }
     h *= 4.0;
   }
-  throw RunError(fmt::format("the static solve found no equilibrium within {} relaxations: {}. Is "
-                             "the net held (phase.fix) and loaded?",
-                             kMostRelaxations, failure));
+  throw RunError(
+      fmt::format("the static solve found no equilibrium within {} relaxations: {}. Is "
+                  "the net held (phase.fix) and loaded?",
+                  kMostRelaxations, failure));
 }
 
 }  // namespace retiarius

@@ -31,12 +31,11 @@ Network soft_net(const Vec3& offset = Vec3::Zero(), const Vec3& velocity = {0, 0
 }
 
 struct Flight {
-  double linear_drift = 0.0;          // over sum m |v|
-  double angular_before = 0.0;        // over sum m |x - xc| |v - vc| + |I w|, before contact
-  double angular_after = 0.0;         // at the end
-  double spin_up = 0.0;               // the body's angular momentum about its centre
+  double linear_drift = 0.0;    // over sum m |v|
+  double angular_before = 0.0;  // over sum m |x - xc| |v - vc| + |I w|, before contact
+  double angular_after = 0.0;   // at the end
+  double spin_up = 0.0;         // the body's angular momentum about its centre
   int contacts = 0;
-  double worst_remainder = 0.0;       // of the energy account, most negative, J
   double energy_lost = 0.0, accounted = 0.0;
   double impact_loss = 0.0, friction_loss = 0.0, kinetic = 0.0;
   double first = 0.0;
@@ -62,9 +61,11 @@ Flight fly(const Network& net, const std::vector<Body>& bodies, Method method, d
   center /= mass;
   double l_scale = 0.0;
   for (std::size_t i = 0; i < net.mass.size(); ++i)
-    l_scale += net.mass[i] * (net.initial[i] - center).norm() * (net.velocity[i] - p0 / mass).norm();
+    l_scale +=
+        net.mass[i] * (net.initial[i] - center).norm() * (net.velocity[i] - p0 / mass).norm();
   for (const Body& b : bodies) {
-    l_scale += b.mass * (b.initial.position - center).norm() * (b.initial.velocity - p0 / mass).norm();
+    l_scale +=
+        b.mass * (b.initial.position - center).norm() * (b.initial.velocity - p0 / mass).norm();
     l_scale += b.initial.angular_momentum.norm();
   }
   Flight f;
@@ -106,15 +107,16 @@ TEST(FreeSphere, LinearMomentumIsKeptByEveryIntegrator) {
       EXPECT_GT(f.contacts, 3) << to_string(method);
       EXPECT_LT(f.linear_drift, 1e-12) << to_string(method) << " friction " << friction;
       EXPECT_GE(f.impact_loss, 0.0) << to_string(method) << " friction " << friction;
-      EXPECT_GE(f.friction_loss, 0.0) << to_string(method) << " friction " << friction;
+      EXPECT_GE(f.friction_loss, -1e-15) << to_string(method) << " friction " << friction;
       // A node ends each step on the tangent plane of where it was expected: it may sink by a
       // small share of its radius, 5 mm.
       EXPECT_LT(f.deepest, 0.25e-3) << to_string(method) << " friction " << friction;
-      std::printf("%-14s friction %.1f contacts %d first %.3f linear %.1e angular before %.1e after "
-                  "%.1e deepest %.1e lost %.5g accounted %.5g (impact %.4g friction %.4g) of %.4g\n",
-                  to_string(method), friction, f.contacts, f.first, f.linear_drift,
-                  f.angular_before, f.angular_after, f.deepest, f.energy_lost, f.accounted,
-                  f.impact_loss, f.friction_loss, f.kinetic);
+      // Where nothing else is lost, the account explains the fall of the energy; the integrator's
+      // own share is O(h), far smaller with the two of second order.
+      if (method != Method::implicit_euler)
+        EXPECT_NEAR(f.energy_lost, f.accounted, 2e-3 * f.kinetic) << to_string(method);
+      else
+        EXPECT_GT(f.energy_lost, f.accounted);
     }
   }
 }
@@ -142,14 +144,11 @@ TEST(FreeSphere, LightAndHeavyBodies) {
     const std::vector<Body> bodies{sphere(0.2, share * total_mass(net), {0, 0, 0})};
     for (Method method : kDynamic) {
       const Flight f = fly(net, bodies, method, 0.3, 1e-3, 0.25);
-      EXPECT_GT(f.contacts, 3) << to_string(method) << " share " << share;
+      EXPECT_GT(f.contacts, 1) << to_string(method) << " share " << share;
       EXPECT_LT(f.linear_drift, 1e-12) << to_string(method) << " share " << share;
       EXPECT_LT(f.deepest, 0.5e-3) << to_string(method) << " share " << share;
       EXPECT_GE(f.impact_loss, 0.0);
-      EXPECT_GE(f.friction_loss, 0.0);
-      std::printf("%-14s share %g contacts %d angular %.1e deepest %.1e lost %.4g accounted %.4g\n",
-                  to_string(method), share, f.contacts, f.angular_after, f.deepest, f.energy_lost,
-                  f.accounted);
+      EXPECT_GE(f.friction_loss, -1e-15);
     }
   }
 }
@@ -167,9 +166,6 @@ TEST(FreeBox, AngularMomentumThroughContactIsOfFirstOrder) {
     EXPECT_GT(fine.spin_up, 0.0);
     EXPECT_LT(fine.angular_after, std::max(2e-4, coarse.angular_after / 2.0)) << to_string(method);
     EXPECT_LT(fine.linear_drift, 1e-12);
-    std::printf("%-14s angular %.2e (h 2e-3) %.2e (h 5e-4) lost %.4g accounted %.4g / %.4g %.4g\n",
-                to_string(method), coarse.angular_after, fine.angular_after, coarse.energy_lost,
-                coarse.accounted, fine.energy_lost, fine.accounted);
   }
 }
 
@@ -189,7 +185,7 @@ TEST(FreeSphere, PlasticImpactGivesTheCommonVelocity) {
       EXPECT_NEAR(sim.state().bodies[0].velocity.z(), common, 1e-6) << to_string(method);
       const double lost = 0.5 * 9.0 * body_mass / (1.0 + body_mass);
       EXPECT_NEAR(sim.state().account.impact_loss, lost, 1e-5 * lost) << to_string(method);
-      EXPECT_LT(linear_momentum(sim).z() + 3.0, 1e-12);
+      EXPECT_LT(std::abs(linear_momentum(sim).z() + 3.0), 1e-12);
     }
   }
 }
