@@ -1,4 +1,5 @@
-// A symmetric sparse matrix of 3x3 blocks with a fixed pattern that may be replaced by a larger one.
+// A symmetric sparse matrix of 3x3 blocks with a fixed pattern that may be replaced by a larger
+// one.
 #pragma once
 
 #include <utility>

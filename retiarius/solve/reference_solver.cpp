@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <Eigen/SparseCholesky>
+#include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/solve/linear_solver.hpp"
@@ -72,13 +73,16 @@ class ReferenceSolver : public LinearSolver {
 
   void solve(std::vector<Vec3>& x) const override {
     if (!factored_) throw Error("solve() needs a successful factor() before it");
-    if (x.size() != static_cast<std::size_t>(blocks_)) {
-      throw Error("the right-hand side does not have the size of the matrix");
+    const auto blocks = static_cast<std::size_t>(blocks_);
+    if (blocks == 0 ? !x.empty() : x.size() % blocks != 0) {
+      throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}",
+                              x.size(), blocks));
     }
-    if (x.empty()) return;
-    Eigen::Map<Eigen::VectorXd> flat(x.front().data(), 3 * static_cast<Eigen::Index>(x.size()));
-    const Eigen::VectorXd solution = ldlt_.solve(flat);
-    flat = solution;
+    for (std::size_t start = 0; start < x.size(); start += blocks) {
+      Eigen::Map<Eigen::VectorXd> flat(x[start].data(), 3 * blocks_);
+      const Eigen::VectorXd solution = ldlt_.solve(flat);
+      flat = solution;
+    }
   }
 
   // The pivots are stored apart from the strict lower triangle.

@@ -1,0 +1,54 @@
+// The dense kernels of the multifrontal solver as a table of functions, one for each instruction
+// set. Plain types only: the units behind it are compiled for different processors.
+#pragma once
+
+namespace retiarius::kernels {
+
+// Rows of panels and updates are padded to a multiple of this, the widest vector in doubles.
+inline constexpr int kPadding = 8;
+
+// Consecutive rows of a child's update that are consecutive in its parent's front, in scalars.
+struct Run {
+  int from, to, length;
+};
+
+// Adds a child's update matrix (lower triangle) into its parent's front.
+struct Extension {
+  const double* child;
+  long child_ld;
+  int blocks;          // block rows of the child's update
+  const int* columns;  // for each, its block position in the parent's front
+  const Run* runs;     // `to` counts rows of the parent's panel
+  int run_count;
+  double* panel;  // of the parent
+  long panel_ld;
+  int pivots;      // block columns of the panel
+  int pivot_rows;  // rows of the panel above the first row of the update, padding included
+  double* update;  // of the parent
+  long update_ld;
+};
+
+struct KernelTable {
+  // Cholesky factorisation of the panel's k pivot columns, in place; the diagonal is left as its
+  // reciprocals. False when a pivot is not positive and finite.
+  bool (*factor_panel)(double* panel, int ld, int k);
+
+  // Rows [row_begin, row_end) of update -= below below^T, lower triangle; `fresh` when the update
+  // holds nothing yet. `below` is the panel's first row under the pivots.
+  void (*update)(const double* below, int ld, int k, double* update, int update_ld, int u,
+                 int row_begin, int row_end, bool fresh);
+
+  void (*extend_add)(const Extension& extension);
+
+  // x = L11^-1 w and w -= L x. On entry w holds the right-hand side in the pivot rows and zero
+  // elsewhere; on return its rows below the pivots hold what to add to the right-hand side there.
+  void (*forward)(const double* panel, int ld, int k, double* w, double* x);
+
+  // x = L11^-T (x - L21^T w). On entry w holds zero in the pivot rows and the solution below.
+  void (*backward)(const double* panel, int ld, int k, double* w, double* x);
+};
+
+// The table chosen by set_kernels().
+const KernelTable& active();
+
+}  // namespace retiarius::kernels

@@ -1,0 +1,272 @@
+// Multifrontal Cholesky factorisation in 3x3 blocks (J. W. H. Liu, The multifrontal method for
+// sparse matrix solution: theory and practice, SIAM Review 34, 1992).
+//
+// A front takes the matrix's entries of its pivot columns and its children's updates, always in the
+// same order, so that the factor does not depend on which thread computed what.
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/base/parallel.hpp"
+#include "retiarius/solve/linear_solver.hpp"
+#include "retiarius/solve/symbolic.hpp"
+
+namespace retiarius {
+
+namespace {
+
+// Scalars aligned to cache lines, uninitialised.
+class AlignedArray {
+ public:
+  void resize(std::size_t size) {
+    if (size == size_) return;
+    data_.reset();
+    size_ = 0;
+    data_.reset(static_cast<double*>(::operator new[](size * sizeof(double), kAlignment)));
+    size_ = size;
+  }
+  double* data() { return data_.get(); }
+  const double* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  static constexpr std::align_val_t kAlignment{64};
+  struct Free {
+    void operator()(double* p) const { ::operator delete[](p, kAlignment); }
+  };
+  std::unique_ptr<double[], Free> data_;
+  std::size_t size_ = 0;
+};
+
+class MultifrontalSolver : public LinearSolver {
+ public:
+  std::string_view name() const override { return "multifrontal"; }
+
+  void analyse(const BlockPattern& pattern) override;
+  bool factor(const BlockMatrix& matrix) override;
+  void solve(std::vector<Vec3>& x) const override;
+
+  double factor_entries() const override { return symbolic_.entries; }
+  double factor_flops() const override { return symbolic_.flops; }
+
+ private:
+  bool factor_serial();
+  bool factor_parallel();
+  void factor_above(Index f);
+  void factor_task(Index task);
+  bool factor_front(const Front& front, double* memory, bool spread);
+  void assemble(const Front& front, double* panel) const;
+  void add_children(const Front& front, double* panel, double* update, double* memory);
+  void update_parent(const Front& front, const double* panel, double* update, bool fresh,
+                     bool spread) const;
+  void solve_one(Vec3* x) const;
+
+  double* update_of(const Front& front, double* memory) {
+    return (front.update_shared ? shared_.data() : memory) + front.update;
+  }
+
+  Symbolic symbolic_;
+  Index pairs_ = 0;
+  bool analysed_ = false, factored_ = false;
+  AlignedArray factor_, shared_, memory_;
+  mutable AlignedArray front_vector_;
+  mutable std::vector<Vec3> permuted_;
+  const BlockMatrix* matrix_ = nullptr;  // while factor() runs
+  const kernels::KernelTable* kernels_ = nullptr;
+  std::atomic<bool> failed_ = false;
+};
+
+void MultifrontalSolver::analyse(const BlockPattern& pattern) {
+  factored_ = false;
+  symbolic_ = analyse_fronts(pattern);
+  pairs_ = pattern.pairs();
+  factor_.resize(symbolic_.factor_size);
+  shared_.resize(symbolic_.shared_size);
+  memory_.resize(threads() > 1 ? symbolic_.all_tasks : symbolic_.largest_task);
+  front_vector_.resize(static_cast<std::size_t>(symbolic_.largest_ld));
+  permuted_.resize(symbolic_.order.size());
+  analysed_ = true;
+}
+
+bool MultifrontalSolver::factor(const BlockMatrix& matrix) {
+  if (!analysed_) throw Error("factor() needs analyse() before it");
+  if (matrix.diagonal.size() != symbolic_.order.size() ||
+      matrix.below.size() != static_cast<std::size_t>(pairs_)) {
+    throw Error(
+        fmt::format("the matrix has {} blocks and {} pairs, the pattern that was analysed "
+                    "{} and {}; analyse its pattern first",
+                    matrix.diagonal.size(), matrix.below.size(), symbolic_.order.size(), pairs_));
+  }
+  matrix_ = &matrix;
+  kernels_ = &kernels::active();
+  factored_ = threads() > 1 && symbolic_.tasks.size() > 1 ? factor_parallel() : factor_serial();
+  matrix_ = nullptr;
+  return factored_;
+}
+
+bool MultifrontalSolver::factor_serial() {
+  for (const Front& front : symbolic_.fronts) {
+    if (!factor_front(front, memory_.data(), false)) return false;
+  }
+  return true;
+}
+
+bool MultifrontalSolver::factor_parallel() {
+  memory_.resize(std::max(memory_.size(), symbolic_.all_tasks));
+  failed_ = false;
+  tbb::task_group group;
+  for (Index f = 0; f < static_cast<Index>(symbolic_.fronts.size()); ++f) {
+    const Front& front = symbolic_.fronts[f];
+    if (front.parent != kNone) continue;
+    group.run([this, f] { factor_above(f); });
+  }
+  group.wait();
+  return !failed_;
+}
+
+void MultifrontalSolver::factor_above(Index f) {
+  const Front& front = symbolic_.fronts[f];
+  if (front.task != kNone) return factor_task(front.task);
+  tbb::task_group group;
+  for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
+    const Index child = symbolic_.children[c];
+    group.run([this, child] { factor_above(child); });
+  }
+  group.wait();
+  if (!failed_ && !factor_front(front, nullptr, true)) failed_ = true;
+}
+
+void MultifrontalSolver::factor_task(Index t) {
+  const FrontTask& task = symbolic_.tasks[t];
+  for (Index f = task.begin; f < task.end && !failed_; ++f) {
+    if (!factor_front(symbolic_.fronts[f], memory_.data() + task.offset, false)) failed_ = true;
+  }
+}
+
+bool MultifrontalSolver::factor_front(const Front& front, double* memory, bool spread) {
+  double* panel = factor_.data() + front.panel;
+  double* update = update_of(front, memory);
+  assemble(front, panel);
+  const bool leaf = front.child_begin == front.child_end;
+  if (!leaf) add_children(front, panel, update, memory);
+  if (!kernels_->factor_panel(panel, front.ld, front.pivots())) return false;
+  if (front.below > 0) update_parent(front, panel, update, leaf, spread);
+  return true;
+}
+
+void MultifrontalSolver::assemble(const Front& front, double* panel) const {
+  const std::size_t ld = static_cast<std::size_t>(front.ld);
+  std::memset(panel, 0, sizeof(double) * ld * static_cast<std::size_t>(front.pivots()));
+  for (Index k = 0; k < front.columns; ++k) {
+    const double* from = matrix_->diagonal[symbolic_.order[front.first + k]].data();
+    double* to = panel + 3 * k * (ld + 1);
+    for (int c = 0; c < 3; ++c, to += ld, from += 3) std::memcpy(to, from, 3 * sizeof(double));
+  }
+  for (std::size_t i = front.straight; i < front.transposed; ++i) {
+    const BlockCopy& copy = symbolic_.copies[i];
+    const double* from = matrix_->below[copy.slot].data();
+    double* to = panel + copy.offset;
+    for (int c = 0; c < 3; ++c, to += ld, from += 3) std::memcpy(to, from, 3 * sizeof(double));
+  }
+  for (std::size_t i = front.transposed; i < front.copies_end; ++i) {
+    const BlockCopy& copy = symbolic_.copies[i];
+    const double* from = matrix_->below[copy.slot].data();
+    double* to = panel + copy.offset;
+    for (int c = 0; c < 3; ++c, to += ld, ++from) {
+      to[0] = from[0];
+      to[1] = from[3];
+      to[2] = from[6];
+    }
+  }
+}
+
+void MultifrontalSolver::add_children(const Front& front, double* panel, double* update,
+                                      double* memory) {
+  const auto ld = static_cast<std::size_t>(front.update_ld);
+  // From the first row of the column's 3x3 diagonal block, rounded down to whole vectors.
+  for (int c = 0; c < front.rows_below(); ++c) {
+    const int block_row = c - c % 3;
+    const auto top = static_cast<std::size_t>(block_row - block_row % kernels::kPadding);
+    std::memset(update + static_cast<std::size_t>(c) * ld + top, 0, sizeof(double) * (ld - top));
+  }
+  for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
+    const Front& child = symbolic_.fronts[symbolic_.children[c]];
+    kernels_->extend_add({update_of(child, memory), child.update_ld, child.below,
+                          symbolic_.targets.data() + child.rows,
+                          symbolic_.runs.data() + child.run_begin,
+                          static_cast<int>(child.run_end - child.run_begin), panel, front.ld,
+                          front.columns, front.pivot_rows, update, front.update_ld});
+  }
+}
+
+void MultifrontalSolver::update_parent(const Front& front, const double* panel, double* update,
+                                       bool fresh, bool spread) const {
+  constexpr int kStrip = 96;      // rows; a multiple of every kernel's tile
+  constexpr double kLarge = 1e6;  // products, from which on sharing the work pays
+  const int u = front.rows_below();
+  const double* below = panel + front.pivot_rows;
+  const auto rows = [&](int begin, int end) {
+    kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end,
+                     fresh);
+  };
+  if (!spread || 0.5 * front.pivots() * u * u < kLarge) return rows(0, front.update_ld);
+  tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {
+    rows(strip * kStrip, std::min(front.update_ld, (strip + 1) * kStrip));
+  });
+}
+
+void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
+  if (!factored_) throw Error("solve() needs a successful factor() before it");
+  const std::size_t blocks = symbolic_.order.size();
+  if (blocks == 0 ? !x.empty() : x.size() % blocks != 0) {
+    throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
+                            blocks));
+  }
+  for (std::size_t start = 0; start < x.size(); start += blocks) solve_one(x.data() + start);
+}
+
+void MultifrontalSolver::solve_one(Vec3* x) const {
+  for (std::size_t k = 0; k < permuted_.size(); ++k) permuted_[k] = x[symbolic_.order[k]];
+  double* const w = front_vector_.data();
+  double* const all = permuted_.empty() ? nullptr : permuted_.front().data();
+  const kernels::KernelTable& kernel = kernels::active();
+  for (const Front& front : symbolic_.fronts) {
+    double* const own = all + 3 * front.first;
+    const auto pivots = static_cast<std::size_t>(front.pivots());
+    std::memcpy(w, own, sizeof(double) * pivots);
+    std::memset(w + pivots, 0, sizeof(double) * (static_cast<std::size_t>(front.ld) - pivots));
+    kernel.forward(factor_.data() + front.panel, front.ld, front.pivots(), w, own);
+    const double* from = w + front.pivot_rows;
+    for (Index b = 0; b < front.below; ++b, from += 3) {
+      double* to = all + 3 * symbolic_.rows[front.rows + b];
+      for (int i = 0; i < 3; ++i) to[i] += from[i];
+    }
+  }
+  for (auto front = symbolic_.fronts.rbegin(); front != symbolic_.fronts.rend(); ++front) {
+    std::memset(w, 0, sizeof(double) * static_cast<std::size_t>(front->pivot_rows));
+    double* to = w + front->pivot_rows;
+    for (Index b = 0; b < front->below; ++b, to += 3) {
+      const double* from = all + 3 * symbolic_.rows[front->rows + b];
+      for (int i = 0; i < 3; ++i) to[i] = from[i];
+    }
+    std::fill(to, w + front->ld, 0.0);
+    kernel.backward(factor_.data() + front->panel, front->ld, front->pivots(), w,
+                    all + 3 * front->first);
+  }
+  for (std::size_t k = 0; k < permuted_.size(); ++k) x[symbolic_.order[k]] = permuted_[k];
+}
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_multifrontal_solver() {
+  return std::make_unique<MultifrontalSolver>();
+}
+
+}  // namespace retiarius

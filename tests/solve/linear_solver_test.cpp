@@ -1,0 +1,194 @@
+#include "retiarius/solve/linear_solver.hpp"
+
+#include <gmock/gmock.h>
+
+#include "retiarius/base/error.hpp"
+#include "tests/solve/graphs.hpp"
+
+namespace retiarius {
+namespace {
+
+using testing::HasSubstr;
+
+// The same tests run against the reference and the fast solver.
+struct Maker {
+  std::string name;
+  std::unique_ptr<LinearSolver> (*make)();
+};
+
+class LinearSolverTest : public testing::TestWithParam<Maker> {
+ protected:
+  std::unique_ptr<LinearSolver> solver = GetParam().make();
+
+  template <class Call>
+  static std::string error_of(Call call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_P(LinearSolverTest, TellsItsName) { EXPECT_EQ(solver->name(), GetParam().name); }
+
+TEST_P(LinearSolverTest, SolvesEveryStructure) {
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const BlockMatrix matrix = test::random_matrix(pattern, 11);
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(matrix)) << name;
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 12);
+    std::vector<Vec3> x = b, product;
+    solver->solve(x);
+    matrix.multiply(x, product);
+    EXPECT_LE(test::distance(product, b), 1e-12 * test::norm(b)) << name;
+  }
+}
+
+TEST_P(LinearSolverTest, FindsAKnownSolution) {
+  const BlockPattern pattern = test::hexagon_net(3, 4);
+  const BlockMatrix matrix = test::random_matrix(pattern, 21);
+  const std::vector<Vec3> expected = test::random_vector(pattern.blocks(), 22);
+  std::vector<Vec3> x;
+  matrix.multiply(expected, x);
+  solver->analyse(pattern);
+  ASSERT_TRUE(solver->factor(matrix));
+  solver->solve(x);
+  EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected));
+}
+
+TEST_P(LinearSolverTest, RefusesIndefiniteMatricesAndRecovers) {
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    if (pattern.blocks() == 0) continue;
+    const BlockMatrix good = test::random_matrix(pattern, 31);
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 32);
+    std::vector<Vec3> expected = b;
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(good)) << name;
+    solver->solve(expected);
+    for (const Index where : {Index{0}, pattern.blocks() / 2, pattern.blocks() - 1}) {
+      for (const double value : {-1.0, 0.0, -kInfinity, kInfinity, std::nan("")}) {
+        BlockMatrix bad = good;
+        bad.diagonal[where](1, 1) = value;
+        EXPECT_FALSE(solver->factor(bad)) << name << ", block " << where << ", " << value;
+        std::vector<Vec3> x = b;
+        EXPECT_THROW(solver->solve(x), Error);
+      }
+    }
+    ASSERT_TRUE(solver->factor(good)) << name;
+    std::vector<Vec3> x = b;
+    solver->solve(x);
+    EXPECT_EQ(x, expected) << name;
+  }
+}
+
+TEST_P(LinearSolverTest, RefusesLargeOrBrokenCouplings) {
+  const BlockPattern pattern = test::hexagon_net(3, 3);
+  const BlockMatrix good = test::random_matrix(pattern, 41);
+  solver->analyse(pattern);
+  for (const Index slot : {Index{0}, pattern.pairs() / 2, pattern.pairs() - 1}) {
+    for (const double value : {1e6, kInfinity, std::nan("")}) {
+      BlockMatrix bad = good;
+      bad.below[slot](2, 0) = value;
+      EXPECT_FALSE(solver->factor(bad)) << slot << ", " << value;
+    }
+  }
+  EXPECT_TRUE(solver->factor(good));
+}
+
+TEST_P(LinearSolverTest, TakesOneOrderAfterAnother) {
+  for (const Index blocks : {30, 5, 80}) {
+    const BlockPattern pattern = test::chain(blocks, 2);
+    const BlockMatrix matrix = test::random_matrix(pattern, 51);
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(matrix));
+    const std::vector<Vec3> b = test::random_vector(blocks, 52);
+    std::vector<Vec3> x = b, product;
+    solver->solve(x);
+    matrix.multiply(x, product);
+    EXPECT_LE(test::distance(product, b), 1e-12 * test::norm(b));
+  }
+}
+
+TEST_P(LinearSolverTest, SolvesStiffNetsToTheirCondition) {
+  // A light chain of stiff springs, held at one end: condition about 1e8.
+  const Index blocks = 1000;
+  const BlockPattern pattern = test::chain(blocks);
+  BlockMatrix matrix;
+  matrix.reset(pattern);
+  matrix.diagonal[0] += 1e6 * Mat3::Identity();
+  for (Index i = 0; i + 1 < blocks; ++i) {
+    matrix.diagonal[i] += 1e6 * Mat3::Identity();
+    matrix.diagonal[i + 1] += 1e6 * Mat3::Identity();
+    matrix.below[i] -= 1e6 * Mat3::Identity();
+  }
+  solver->analyse(pattern);
+  ASSERT_TRUE(solver->factor(matrix));
+  std::vector<Vec3> x(blocks, Vec3(0, 0, 1));  // unit loads: a parabola
+  solver->solve(x);
+  for (Index i = 0; i < blocks; ++i) {
+    const double n = i + 1.0;
+    const double expected = 1e-6 * (n * blocks - n * (n - 1.0) / 2.0);
+    EXPECT_NEAR(x[i].z(), expected, 1e-9 * expected);
+    EXPECT_EQ(x[i].x(), 0.0);
+  }
+}
+
+TEST_P(LinearSolverTest, CountsADenseFactorExactly) {
+  const BlockPattern pattern = test::chain(10, 9);
+  solver->analyse(pattern);
+  EXPECT_EQ(solver->factor_entries(), 30.0 * 31.0 / 2.0);
+  EXPECT_EQ(solver->factor_flops(), 30.0 * 31.0 * 61.0 / 6.0);
+}
+
+TEST_P(LinearSolverTest, RefusesUseOutOfOrder) {
+  const BlockPattern pattern = test::chain(4), other = test::chain(5);
+  BlockMatrix matrix = test::random_matrix(pattern, 1);
+  solver->analyse(pattern);
+  std::vector<Vec3> x(4, Vec3::Ones());
+  EXPECT_THAT(error_of([&] { solver->solve(x); }), HasSubstr("needs a successful factor()"));
+  EXPECT_THAT(error_of([&] { solver->factor(test::random_matrix(other, 1)); }),
+              HasSubstr("analysed"));
+  ASSERT_TRUE(solver->factor(matrix));
+  std::vector<Vec3> wrong(3, Vec3::Ones());
+  EXPECT_THAT(error_of([&] { solver->solve(wrong); }), HasSubstr("right-hand side"));
+}
+
+TEST_P(LinearSolverTest, SolvesSeveralRightHandSidesAtOnce) {
+  const BlockPattern pattern = test::hexagon_net(2, 3);
+  solver->analyse(pattern);
+  ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 61)));
+  std::vector<Vec3> both = test::random_vector(2 * pattern.blocks(), 62);
+  std::vector<Vec3> first(both.begin(), both.begin() + pattern.blocks());
+  std::vector<Vec3> second(both.begin() + pattern.blocks(), both.end());
+  solver->solve(both);
+  solver->solve(first);
+  solver->solve(second);
+  first.insert(first.end(), second.begin(), second.end());
+  EXPECT_EQ(both, first);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, LinearSolverTest,
+                         testing::Values(Maker{"reference", make_reference_solver},
+                                         Maker{"multifrontal", make_multifrontal_solver}),
+                         [](const auto& each) { return each.param.name; });
+
+TEST(MultifrontalSolver, AgreesWithTheReference) {
+  const auto fast = make_multifrontal_solver(), slow = make_reference_solver();
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const BlockMatrix matrix = test::random_matrix(pattern, 71);
+    fast->analyse(pattern);
+    slow->analyse(pattern);
+    ASSERT_TRUE(fast->factor(matrix)) << name;
+    ASSERT_TRUE(slow->factor(matrix)) << name;
+    std::vector<Vec3> x = test::random_vector(pattern.blocks(), 72);
+    std::vector<Vec3> expected = x;
+    fast->solve(x);
+    slow->solve(expected);
+    EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace retiarius

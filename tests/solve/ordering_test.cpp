@@ -1,0 +1,60 @@
+#include "retiarius/solve/ordering.hpp"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "retiarius/solve/elimination_tree.hpp"
+#include "tests/solve/graphs.hpp"
+
+namespace retiarius {
+namespace {
+
+using testing::ElementsAre;
+
+bool is_permutation(std::vector<Index> order, Index size) {
+  std::sort(order.begin(), order.end());
+  for (Index k = 0; k < static_cast<Index>(order.size()); ++k) {
+    if (order[k] != k) return false;
+  }
+  return static_cast<Index>(order.size()) == size;
+}
+
+TEST(Ordering, GraphHasEveryPairAtBothEnds) {
+  const Graph graph = block_graph(test::pattern_of(4, {{2, 0}, {0, 3}, {3, 2}}));
+  EXPECT_THAT(graph.starts, ElementsAre(0, 2, 2, 4, 6));
+  EXPECT_THAT(graph.neighbours, ElementsAre(2, 3, 0, 3, 0, 2));
+}
+
+TEST(Ordering, BothGivePermutations) {
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const Graph graph = block_graph(pattern);
+    EXPECT_TRUE(is_permutation(minimum_degree(graph), graph.size())) << name;
+    for (const int seed : {1, 2}) {
+      EXPECT_TRUE(is_permutation(nested_dissection(graph, seed), graph.size())) << name;
+      EXPECT_EQ(nested_dissection(graph, seed), nested_dissection(graph, seed)) << name;
+    }
+  }
+}
+
+double entries(const Graph& graph, const std::vector<Index>& order) {
+  double sum = 0.0;
+  for (const Index count : elimination_tree(graph, order).counts) sum += count;
+  return sum;
+}
+
+TEST(Ordering, SavesFillOnAGrid) {
+  const Graph graph = block_graph(test::grid(40, 40));
+  std::vector<Index> natural(1600);
+  for (Index k = 0; k < 1600; ++k) natural[k] = k;
+  EXPECT_LT(entries(graph, nested_dissection(graph, 1)), 0.5 * entries(graph, natural));
+  EXPECT_LT(entries(graph, minimum_degree(graph)), 0.5 * entries(graph, natural));
+}
+
+TEST(Ordering, MinimumDegreeMakesNoFillOnAStar) {
+  const Graph graph = block_graph(test::star(50, 0));
+  EXPECT_EQ(entries(graph, minimum_degree(graph)), 50 + 49);
+}
+
+}  // namespace
+}  // namespace retiarius
