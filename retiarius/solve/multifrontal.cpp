@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cstring>
 #include <memory>
-#include <new>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -15,35 +14,13 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/parallel.hpp"
+#include "retiarius/solve/aligned_array.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/symbolic.hpp"
 
 namespace retiarius {
 
 namespace {
-
-// Scalars aligned to cache lines, uninitialised.
-class AlignedArray {
- public:
-  void resize(std::size_t size) {
-    if (size == size_) return;
-    data_.reset();
-    size_ = 0;
-    data_.reset(static_cast<double*>(::operator new[](size * sizeof(double), kAlignment)));
-    size_ = size;
-  }
-  double* data() { return data_.get(); }
-  const double* data() const { return data_.get(); }
-  std::size_t size() const { return size_; }
-
- private:
-  static constexpr std::align_val_t kAlignment{64};
-  struct Free {
-    void operator()(double* p) const { ::operator delete[](p, kAlignment); }
-  };
-  std::unique_ptr<double[], Free> data_;
-  std::size_t size_ = 0;
-};
 
 class MultifrontalSolver : public LinearSolver {
  public:
@@ -63,9 +40,9 @@ class MultifrontalSolver : public LinearSolver {
   void factor_task(Index task);
   bool factor_front(const Front& front, double* memory, bool spread);
   void assemble(const Front& front, double* panel) const;
-  void add_children(const Front& front, double* panel, double* update, double* memory);
-  void update_parent(const Front& front, const double* panel, double* update, bool fresh,
-                     bool spread) const;
+  enum class Part { panel, update };
+  void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
+  void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
 
   double* update_of(const Front& front, double* memory) {
@@ -154,10 +131,13 @@ bool MultifrontalSolver::factor_front(const Front& front, double* memory, bool s
   double* panel = factor_.data() + front.panel;
   double* update = update_of(front, memory);
   assemble(front, panel);
-  const bool leaf = front.child_begin == front.child_end;
-  if (!leaf) add_children(front, panel, update, memory);
+  // The children's parts for the panel come first; those for the update follow its own product,
+  // which then need not read what it writes.
+  add_children(front, panel, update, memory, Part::panel);
   if (!kernels_->factor_panel(panel, front.ld, front.pivots())) return false;
-  if (front.below > 0) update_parent(front, panel, update, leaf, spread);
+  if (front.below == 0) return true;
+  make_update(front, panel, update, spread);
+  add_children(front, panel, update, memory, Part::update);
   return true;
 }
 
@@ -188,17 +168,12 @@ void MultifrontalSolver::assemble(const Front& front, double* panel) const {
 }
 
 void MultifrontalSolver::add_children(const Front& front, double* panel, double* update,
-                                      double* memory) {
-  const auto ld = static_cast<std::size_t>(front.update_ld);
-  // From the first row of the column's 3x3 diagonal block, rounded down to whole vectors.
-  for (int c = 0; c < front.rows_below(); ++c) {
-    const int block_row = c - c % 3;
-    const auto top = static_cast<std::size_t>(block_row - block_row % kernels::kPadding);
-    std::memset(update + static_cast<std::size_t>(c) * ld + top, 0, sizeof(double) * (ld - top));
-  }
+                                      double* memory, Part part) {
   for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
     const Front& child = symbolic_.fronts[symbolic_.children[c]];
-    kernels_->extend_add({update_of(child, memory), child.update_ld, child.below,
+    const Index begin = part == Part::panel ? 0 : child.into_panel;
+    const Index end = part == Part::panel ? child.into_panel : child.below;
+    kernels_->extend_add({update_of(child, memory), child.update_ld, begin, end,
                           symbolic_.targets.data() + child.rows,
                           symbolic_.runs.data() + child.run_begin,
                           static_cast<int>(child.run_end - child.run_begin), panel, front.ld,
@@ -206,15 +181,14 @@ void MultifrontalSolver::add_children(const Front& front, double* panel, double*
   }
 }
 
-void MultifrontalSolver::update_parent(const Front& front, const double* panel, double* update,
-                                       bool fresh, bool spread) const {
+void MultifrontalSolver::make_update(const Front& front, const double* panel, double* update,
+                                     bool spread) const {
   constexpr int kStrip = 96;      // rows; a multiple of every kernel's tile
   constexpr double kLarge = 1e6;  // products, from which on sharing the work pays
   const int u = front.rows_below();
   const double* below = panel + front.pivot_rows;
   const auto rows = [&](int begin, int end) {
-    kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end,
-                     fresh);
+    kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end);
   };
   if (!spread || 0.5 * front.pivots() * u * u < kLarge) return rows(0, front.update_ld);
   tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {

@@ -25,6 +25,7 @@ struct Front {
   Index task = kNone;                          // the subtree it belongs to; kNone near the root
   std::size_t child_begin = 0, child_end = 0;  // in Symbolic::children
   std::size_t rows = 0;                        // in Symbolic::rows and ::targets
+  Index into_panel = 0;                        // so many of `below` are pivots of the parent
   std::size_t run_begin = 0, run_end = 0;      // in Symbolic::runs
   std::size_t straight = 0, transposed = 0, copies_end = 0;  // in Symbolic::copies
   std::size_t panel = 0;                                     // in the factor, in scalars
