@@ -34,6 +34,8 @@ class MultifrontalSolver : public LinearSolver {
   double factor_flops() const override { return symbolic_.flops; }
 
  private:
+  bool parallel() const { return threads() > 1 && symbolic_.tasks.size() > 1; }
+  void reserve_updates();
   bool factor_serial();
   bool factor_parallel();
   void factor_above(Index f);
@@ -45,18 +47,21 @@ class MultifrontalSolver : public LinearSolver {
   void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
 
+  // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
-    return (front.update_shared ? shared_.data() : memory) + front.update;
+    if (!side_by_side_) return serial_.data() + front.update;
+    return (front.update_shared ? shared_.data() : memory) + front.task_update;
   }
 
   Symbolic symbolic_;
   Index pairs_ = 0;
   bool analysed_ = false, factored_ = false;
-  AlignedArray factor_, shared_, memory_;
+  AlignedArray factor_, serial_, shared_, tasks_;
   mutable AlignedArray front_vector_;
   mutable std::vector<Vec3> permuted_;
   const BlockMatrix* matrix_ = nullptr;  // while factor() runs
   const kernels::KernelTable* kernels_ = nullptr;
+  bool side_by_side_ = false;  // by tasks
   std::atomic<bool> failed_ = false;
 };
 
@@ -65,8 +70,8 @@ void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   symbolic_ = analyse_fronts(pattern);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
-  shared_.resize(symbolic_.shared_size);
-  memory_.resize(threads() > 1 ? symbolic_.all_tasks : symbolic_.largest_task);
+  for (AlignedArray* memory : {&serial_, &shared_, &tasks_}) memory->resize(0);
+  reserve_updates();
   front_vector_.resize(static_cast<std::size_t>(symbolic_.largest_ld));
   permuted_.resize(symbolic_.order.size());
   analysed_ = true;
@@ -83,20 +88,31 @@ bool MultifrontalSolver::factor(const BlockMatrix& matrix) {
   }
   matrix_ = &matrix;
   kernels_ = &kernels::active();
-  factored_ = threads() > 1 && symbolic_.tasks.size() > 1 ? factor_parallel() : factor_serial();
+  reserve_updates();
+  side_by_side_ = parallel();
+  factored_ = side_by_side_ ? factor_parallel() : factor_serial();
   matrix_ = nullptr;
   return factored_;
 }
 
+// Does nothing when the memory is there already.
+void MultifrontalSolver::reserve_updates() {
+  if (parallel()) {
+    shared_.resize(symbolic_.shared_size);
+    tasks_.resize(symbolic_.tasks_size);
+  } else {
+    serial_.resize(symbolic_.update_size);
+  }
+}
+
 bool MultifrontalSolver::factor_serial() {
   for (const Front& front : symbolic_.fronts) {
-    if (!factor_front(front, memory_.data(), false)) return false;
+    if (!factor_front(front, nullptr, false)) return false;
   }
   return true;
 }
 
 bool MultifrontalSolver::factor_parallel() {
-  memory_.resize(std::max(memory_.size(), symbolic_.all_tasks));
   failed_ = false;
   tbb::task_group group;
   for (Index f = 0; f < static_cast<Index>(symbolic_.fronts.size()); ++f) {
@@ -117,13 +133,13 @@ void MultifrontalSolver::factor_above(Index f) {
     group.run([this, child] { factor_above(child); });
   }
   group.wait();
-  if (!failed_ && !factor_front(front, nullptr, true)) failed_ = true;
+  if (!failed_ && !factor_front(front, tasks_.data(), true)) failed_ = true;
 }
 
 void MultifrontalSolver::factor_task(Index t) {
   const FrontTask& task = symbolic_.tasks[t];
   for (Index f = task.begin; f < task.end && !failed_; ++f) {
-    if (!factor_front(symbolic_.fronts[f], memory_.data() + task.offset, false)) failed_ = true;
+    if (!factor_front(symbolic_.fronts[f], tasks_.data() + task.offset, false)) failed_ = true;
   }
 }
 

@@ -98,7 +98,7 @@ Supernodes supernodes(const EliminationTree& tree) {
   std::vector<double> weight;
   for (const Index s : kept) {
     parent.push_back(groups[s].parent == kNone ? kNone : number[groups[s].parent]);
-    weight.push_back(groups[s].below);
+    weight.push_back(-groups[s].below);
   }
   const std::vector<Index> finished = postorder(parent, weight);
   std::vector<Index> place(finished.size());
