@@ -10,11 +10,13 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/solve/aligned_array.hpp"
+#include "retiarius/solve/flush_denormals.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/symbolic.hpp"
 
@@ -106,6 +108,7 @@ void MultifrontalSolver::reserve_updates() {
 }
 
 bool MultifrontalSolver::factor_serial() {
+  const FlushDenormals flush;
   for (const Front& front : symbolic_.fronts) {
     if (!factor_front(front, nullptr, false)) return false;
   }
@@ -133,10 +136,12 @@ void MultifrontalSolver::factor_above(Index f) {
     group.run([this, child] { factor_above(child); });
   }
   group.wait();
+  const FlushDenormals flush;
   if (!failed_ && !factor_front(front, tasks_.data(), true)) failed_ = true;
 }
 
 void MultifrontalSolver::factor_task(Index t) {
+  const FlushDenormals flush;
   const FrontTask& task = symbolic_.tasks[t];
   for (Index f = task.begin; f < task.end && !failed_; ++f) {
     if (!factor_front(symbolic_.fronts[f], tasks_.data() + task.offset, false)) failed_ = true;
@@ -207,8 +212,12 @@ void MultifrontalSolver::make_update(const Front& front, const double* panel, do
     kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end);
   };
   if (!spread || 0.5 * front.pivots() * u * u < kLarge) return rows(0, front.update_ld);
-  tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {
-    rows(strip * kStrip, std::min(front.update_ld, (strip + 1) * kStrip));
+  // Isolated, lest the waiting thread takes up other work in its present mode.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {
+      const FlushDenormals flush;
+      rows(strip * kStrip, std::min(front.update_ld, (strip + 1) * kStrip));
+    });
   });
 }
 
@@ -223,6 +232,7 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
 }
 
 void MultifrontalSolver::solve_one(Vec3* x) const {
+  const FlushDenormals flush;
   for (std::size_t k = 0; k < permuted_.size(); ++k) permuted_[k] = x[symbolic_.order[k]];
   double* const w = front_vector_.data();
   double* const all = permuted_.empty() ? nullptr : permuted_.front().data();
