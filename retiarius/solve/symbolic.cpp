@@ -16,14 +16,6 @@ int padded(int rows) {
   return (rows + kernels::kPadding - 1) / kernels::kPadding * kernels::kPadding;
 }
 
-// An odd number of cache lines between columns, where there are many rows: with a large power of
-// two as divisor the columns of a strip would compete for the same few places of the cache.
-int leading_dimension(int rows) {
-  const int whole = padded(rows);
-  const bool odd = whole / kernels::kPadding % 2 == 1;
-  return odd || whole < 96 ? whole : whole + kernels::kPadding;
-}
-
 void count_work(const EliminationTree& tree, Symbolic& symbolic) {
   for (const Index count : tree.counts) {
     const double below = 3.0 * (count - 1);
@@ -46,8 +38,8 @@ void make_fronts(const Supernodes& groups, Symbolic& symbolic) {
     front.columns = groups.starts[f + 1] - groups.starts[f];
     front.below = groups.below[f];
     front.pivot_rows = padded(front.pivots());
-    front.update_ld = leading_dimension(front.rows_below());
-    front.ld = leading_dimension(front.pivot_rows + front.update_ld);
+    front.update_ld = padded(front.rows_below());
+    front.ld = front.pivot_rows + front.update_ld;
     front.panel = symbolic.factor_size;
     symbolic.factor_size +=
         static_cast<std::size_t>(front.ld) * static_cast<std::size_t>(front.pivots());
