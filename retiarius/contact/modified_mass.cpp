@@ -11,11 +11,11 @@ namespace {
 // float at zero and must not be caught again by round-off.
 constexpr double kEntryDepth = 1e-3;
 // Sliding friction is iterated with the normal reaction until it holds to this share.
-constexpr double kFrictionTolerance = 1e-4;
+constexpr double kFrictionTolerance = 1e-2;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
-constexpr int kMostRevisions = 30;
-constexpr int kMostModeChanges = 4;
+constexpr int kMostRevisions = 12;
+constexpr int kMostModeChanges = 2;
 constexpr int kMostPathSteps = 400;
 
 bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
