@@ -71,6 +71,20 @@ TEST(EnergyBalance, WorkOfAKickIsNoLoss) {
               1e-14);
 }
 
+// A run that goes on from a saved state has its accounts open already.
+TEST(EnergyBalance, CountsFromItsOwnStart) {
+  const Network net = make_net({{0, 0, 0}, {1, 0, 0}}, {{0, 1}});
+  const std::vector<Body> none;
+  State saved = initial_state(net, none);
+  saved.account.prescribed_work = 100.0;
+  saved.account.environment_loss = 30.0;
+  Simulation sim(net, none, saved);
+  sim.configure({}, {}, {});
+  EnergyBalance balance;
+  balance.begin(sim);
+  EXPECT_EQ(balance.integrator_loss(energies(sim, Vec3::Zero()), sim.state().account), 0.0);
+}
+
 // Free fall at 1 g, then weightless, then at half of it sideways: no step of the loss at a change.
 TEST(EnergyBalance, ChangeOfGravityIsNoLoss) {
   const Network net = make_net({{0, 0, 100}, {1, 0, 100}}, {{0, 1}});
