@@ -12,22 +12,36 @@ namespace retiarius {
 
 namespace {
 
-// A cubic from a place with a velocity to another (Hermite).
-struct Leg {
-  double duration = 0.0;  // s
-  Vec3 from, to;          // m
-  Vec3 start, end;        // velocities, m/s
+// A corner's path about the target's mass centre, in the plane of its start and the shot axis:
+//   place = axis (from + rise sin q) + outward (inner + (outer - inner) cos q),  q from 0 to pi/2,
+// a quarter of an ellipse ("behind"), or with q as the share of a straight line ("straight").
+// q(t) is a cubic that starts at the corner's own pace and ends at rest.
+struct Path {
+  bool arc = true;
+  Vec3 from, to;       // arc: to the ellipse's centre and its two half axes; straight: the ends
+  Vec3 across, along;  // half axes of the arc, m
+  double duration = 0.0;
+  double pace = 0.0;   // of the share at the start, 1/s
 
-  Vec3 place(double t) const {
+  double share(double t) const {
     const double s = t / duration;
-    const double r = 1.0 - s;
-    return (1.0 + 2.0 * s) * r * r * from + s * r * r * duration * start +
-           s * s * (3.0 - 2.0 * s) * to - s * s * r * duration * end;
+    return s * s * (3.0 - 2.0 * s) + pace * duration * s * (1.0 - s) * (1.0 - s);
+  }
+  double share_rate(double t) const {
+    const double s = t / duration;
+    return 6.0 * s * (1.0 - s) / duration + pace * (1.0 - s) * (1.0 - 3.0 * s);
+  }
+  Vec3 place(double t) const {
+    const double p = share(t);
+    if (!arc) return from + p * (to - from);
+    return from + std::cos(0.5 * kPi * p) * across + std::sin(0.5 * kPi * p) * along;
   }
   Vec3 velocity(double t) const {
-    const double s = t / duration;
-    return 6.0 * s * (1.0 - s) / duration * (to - from) + (1.0 - s) * (1.0 - 3.0 * s) * start +
-           s * (3.0 * s - 2.0) * end;
+    const double p = share(t);
+    const double rate = share_rate(t);
+    if (!arc) return rate * (to - from);
+    const double turn = 0.5 * kPi * rate;
+    return turn * (std::cos(0.5 * kPi * p) * along - std::sin(0.5 * kPi * p) * across);
   }
 };
 
@@ -49,10 +63,8 @@ class Close final : public PhaseAction {
 
   std::optional<double> next_event(double now) const override {
     if (paths_.empty() && !released_) return start_;
-    for (double t : {start_ + longest_}) {
-      if (!released_ && t > now) return t;
-    }
-    return std::nullopt;
+    const double end = start_ + longest_;
+    return !released_ && end > now ? std::optional(end) : std::nullopt;
   }
 
   void act(Simulation& sim) override {
@@ -71,12 +83,8 @@ class Close final : public PhaseAction {
     const BodyState& target = sim.state().bodies[frame_.target];
     const Vec3 centre = target.position + (time - sim.state().time) * target.velocity;
     for (std::size_t k = 0; k < paths_.size(); ++k) {
-      double t = time - start_;
-      std::size_t leg = 0;
-      while (leg + 1 < paths_[k].size() && t > paths_[k][leg].duration)
-        t -= paths_[k][leg++].duration;
-      const Leg& path = paths_[k][leg];
-      t = std::min(t, path.duration);
+      const Path& path = paths_[k];
+      const double t = std::min(time - start_, path.duration);
       out.push_back({bullets_[k], centre + path.place(t), target.velocity + path.velocity(t)});
     }
   }
@@ -98,46 +106,46 @@ class Close final : public PhaseAction {
       const Vec3 velocity = sim.state().v[bullet] - target.velocity;
       paths_.push_back(phase_.path == ClosePath::behind ? behind(from, velocity)
                                                         : straight(from, velocity));
-      double total = 0.0;
-      for (const Leg& leg : paths_.back()) total += leg.duration;
-      longest_ = std::max(longest_, total);
+      longest_ = std::max(longest_, paths_.back().duration);
     }
   }
 
-  // The time for a leg: at the closing speed, but never slower than the corner comes in, so that
-  // the cubic does not swing out beyond its end.
-  double leg_time(const Vec3& from, const Vec3& to, const Vec3& velocity) const {
-    const double length = std::max((to - from).norm(), 1e-6);
-    return length / std::max(phase_.close_speed, velocity.norm() / 2.5);
+  // At most three times the mean pace: a faster start would carry the cubic beyond its end.
+  double start_pace(double speed, double length, double duration) const {
+    return std::clamp(speed / length, 0.0, 3.0 / duration);
   }
 
-  // Past the target at the corner's present distance from the axis, then inward.
-  std::vector<Leg> behind(const Vec3& from, const Vec3& velocity) const {
+  // Past the target and inward, on an arc that never takes a corner farther from the target than
+  // it is: a net that is spread has no thread to spare.
+  Path behind(const Vec3& from, const Vec3& velocity) const {
     const Vec3& axis = frame_.axis;
     const Vec3 lateral = from - axis * axis.dot(from);
-    const double distance = lateral.norm();
-    const Vec3 outward = distance > 0.0 ? Vec3(lateral / distance) : axis.unitOrthogonal();
-    const Vec3 end = phase_.distance * axis + std::min(phase_.radius, distance) * outward;
-    std::vector<Leg> legs;
-    const Vec3 turn = std::max(phase_.distance, axis.dot(from)) * axis + lateral;
-    Vec3 turning = velocity;
-    if ((turn - from).norm() > 1e-3) {
-      turning = -0.5 * phase_.close_speed * outward;
-      legs.push_back({leg_time(from, turn, velocity), from, turn, velocity, turning});
-    }
-    legs.push_back({1.5 * leg_time(turn, end, turning), turn, end, turning, Vec3::Zero()});
-    return legs;
+    const double outer = lateral.norm();
+    const Vec3 outward = outer > 0.0 ? Vec3(lateral / outer) : axis.unitOrthogonal();
+    const double inner = std::min(phase_.radius, outer);
+    const double rise = phase_.distance - axis.dot(from);
+    Path path;
+    path.from = axis.dot(from) * axis + inner * outward;
+    path.across = (outer - inner) * outward;
+    path.along = rise * axis;
+    const double length = std::max(0.25 * kPi * (outer - inner + std::abs(rise)), 1e-6);
+    path.duration = length / phase_.close_speed;
+    const double reach = std::max(0.5 * kPi * std::abs(rise), 1e-6);
+    path.pace = start_pace(std::copysign(1.0, rise) * axis.dot(velocity), reach, path.duration);
+    return path;
   }
 
   // Straight to the target's mass centre, up to `radius` from it.
-  std::vector<Leg> straight(const Vec3& from, const Vec3& velocity) const {
-    const Vec3 end = from.norm() > phase_.radius ? Vec3(phase_.radius * from.normalized()) : from;
-    const Vec3 along = (end - from).norm() > 0.0
-                           ? Vec3(phase_.close_speed * (end - from).normalized())
-                           : Vec3(Vec3::Zero());
-    (void)velocity;
-    const double time = std::max((end - from).norm(), 1e-6) / phase_.close_speed;
-    return {{time, from, end, along, along}};
+  Path straight(const Vec3& from, const Vec3& velocity) const {
+    Path path;
+    path.arc = false;
+    path.from = from;
+    path.to = from.norm() > phase_.radius ? Vec3(phase_.radius * from.normalized()) : from;
+    const Vec3 way = path.to - path.from;
+    const double length = std::max(way.norm(), 1e-6);
+    path.duration = length / phase_.close_speed;
+    path.pace = start_pace(velocity.dot(way) / length, length, path.duration);
+    return path;
   }
 
   PhaseSpec phase_;
@@ -147,7 +155,7 @@ class Close final : public PhaseAction {
   double start_ = 0.0;    // s, when the paths begin
   double longest_ = 0.0;  // s, of the paths
   bool released_ = false;
-  std::vector<std::vector<Leg>> paths_;
+  std::vector<Path> paths_;
 };
 
 }  // namespace

@@ -183,6 +183,7 @@ RunReport MissionLoop::run() {
 void MissionLoop::enter(Phase& phase, bool first) {
   const PhaseSpec& spec = *phase.spec;
   simulation_.configure(spec.environment, spec.integrator, spec.contact);
+  simulation_.hold_bodies(spec.kind == PhaseKind::fold);
   if (first) measures_.begin(simulation_);
   for (const auto& action : phase.actions) action->begin(simulation_);
   if (spec.kind == PhaseKind::shoot) measures_.shot(simulation_, axis_);

@@ -105,6 +105,7 @@ std::vector<Vec3> Simulation::start_acceleration() {
 
 // Bodies fall exactly and tumble without torque; contact adds to that.
 std::vector<BodyState> Simulation::free_bodies(double h) const {
+  if (bodies_held_) return state_.bodies;
   std::vector<BodyState> result;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     const Body& body = (*bodies_)[b];
@@ -131,7 +132,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   start.guess = first_guess(integrator_.method, step);
   start.prescribed = &prescribed;
   start.bodies = free_bodies(h);
-  start.contact = response_.get();
+  start.contact = bodies_held_ ? nullptr : response_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
   problem_->begin(std::move(start));
@@ -194,7 +195,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   std::fill(now.support.begin(), now.support.end(), Vec3::Zero());
   move_prescribed(done, prescribed, old);
   now.touches.clear();
-  if (response_) {
+  if (response_ && !bodies_held_) {
     const std::vector<SolvedContact> contacts = response_->contacts();
     const std::vector<Constraint>& constraints = response_->constraints();
     std::vector<Vec3> force;
@@ -209,7 +210,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   now.account.outside_impulse += exchange.outside_impulse;
   now.account.outside_angular_impulse += exchange.outside_angular_impulse;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
-    if ((*bodies_)[b].fixed) continue;
+    if ((*bodies_)[b].fixed || bodies_held_) continue;
     const Vec3 impulse = step.h * (*bodies_)[b].mass * environment_.gravity;
     now.account.outside_impulse += impulse;
     now.account.outside_angular_impulse +=

@@ -44,6 +44,10 @@ class Simulation {
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                  const ContactSpec& contact);
 
+  // Holds all bodies where they are, neither moving nor falling nor touching, until called with
+  // false: a target in orbit has no part in what happens to the net on the ground.
+  void hold_bodies(bool held) { bodies_held_ = held; }
+
   // One accepted step towards time `end` (s); shorter where the whole did not converge. Throws
   // RunError naming time, node and cause where no step of the smallest allowed length converges;
   // the state is then still the last accepted one.
@@ -93,6 +97,7 @@ class Simulation {
   std::unique_ptr<StepProblem> problem_;
   std::unique_ptr<ContactResponse> response_;
   std::vector<double> tensions_;
+  bool bodies_held_ = false;
   double length_scale_ = 0.0;  // median rest length, m
 };
 
