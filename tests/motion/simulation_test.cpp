@@ -129,6 +129,20 @@ TEST(Failure, NamesTimeNodeAndRemedyAndLeavesTheState) {
   EXPECT_EQ(sim.state().v, before.v);
 }
 
+// A straight tension-only thread at rest is at the very edge of slackness: a pull at its end must
+// not be told from segment to segment, one an iteration (here more than 200 would be needed).
+TEST(TensionOnly, ALongStraightThreadFeelsAPullAtOnce) {
+  Material m = thread_material(5e4, 0.01);
+  m.compression = false;
+  Network net = straight_chain(300, 30.0, m);
+  net.velocity[300] = {2, 30, 0};
+  Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
+  sim.configure({}, by(Method::implicit_euler), {});
+  const StepReport report = sim.advance(0.05, hold(net.initial, {0}));
+  EXPECT_EQ(report.halvings, 0);
+  EXPECT_LE(report.iterations, 40);
+}
+
 // NaN in a velocity: the run ends with an error, and the state is what it was.
 TEST(Failure, NotANumberIsCaughtAndItsNodeNamed) {
   Network net = straight_chain(5, 1.0, thread_material(100.0, 0.1));

@@ -55,7 +55,8 @@ TEST(Static, CatenarySagAndTension) {
     const double weight = 0.1 * 10.0;
     EXPECT_NEAR(s.x[n / 2].z(), -sag, 5e-5) << span;
     EXPECT_NEAR(s.support[n].x(), pull * weight, 2e-4 * weight) << span;
-    EXPECT_NEAR(s.support[n].z(), 0.5 * weight, 1e-9 * weight) << span;
+    // The residual's floor is 64 eps EA = 1.4e-8 N a node.
+    EXPECT_NEAR(s.support[n].z(), 0.5 * weight, 2e-6 * weight) << span;
   }
 }
 
@@ -131,12 +132,6 @@ std::vector<double> tip_minima(Method method, double h, double time) {
 // A row of six decimals; the minima are those of the samples.
 void expect_minima(const std::vector<double>& found, const std::vector<double>& wanted,
                    double tolerance) {
-  // Small ripples near a minimum may give several; the lowest near each counts.
-  std::vector<double> lowest;
-  for (double z : found) {
-    std::printf(" %.6f", z);
-  }
-  std::printf("\n");
   ASSERT_GE(found.size(), wanted.size());
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found[k], wanted[k], tolerance) << k;
 }
