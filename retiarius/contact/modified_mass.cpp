@@ -15,6 +15,10 @@ constexpr double kFrictionTolerance = 1e-4;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostRevisions = 30;
+// After these, the friction of sliding nodes that have changed their mode too often stays as it is
+// for the rest of the step: along a taut thread friction and tension feed each other, and the
+// iteration between them need not converge. Nodes that stick beyond Coulomb's limit are let go.
+constexpr int kMostFrictionRevisions = 6;
 constexpr int kMostModeChanges = 4;
 constexpr int kMostPathSteps = 400;
 
@@ -172,6 +176,7 @@ bool ModifiedMass::revise_contact(Contact& c, const Vec3& x1, const Vec3& reacti
     c.friction = limit * along.normalized();
     return true;
   }
+  if (c.changes >= kMostModeChanges && revisions_ > kMostFrictionRevisions) return false;
   const Vec3 slide = slip(c, x1);
   if (slide.dot(c.friction) > 0.0 && may_change && c.changes < kMostModeChanges) {
     c.sticks = true;  // it would be dragged along by friction: it sticks where it was
@@ -191,7 +196,7 @@ bool ModifiedMass::revise_contact(Contact& c, const Vec3& x1, const Vec3& reacti
 }
 
 bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
-                          const std::vector<Vec3>& reaction, bool) {
+                          const std::vector<Vec3>& reaction, bool full) {
   now_ = bodies;
   const bool may_change = ++revisions_ <= kMostRevisions;
   double largest = 0.0;
@@ -206,7 +211,7 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
   });
   bool changed = contacts_.size() != count;
   for (Contact& c : contacts_)
-    changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change);
+    changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change && full);
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contact_of_[contacts_[k].node] = static_cast<Index>(k);

@@ -13,6 +13,10 @@ namespace retiarius {
 // first sticks (all directions blocked); where the tangential reaction exceeds friction times the
 // normal one it slides, with that force against the slip.
 //
+// Friction and tension are iterated one after the other. Along a taut thread wrapped around a body
+// this converges slowly and not always to the end: steps are halved, and a sliding thread's ratio
+// of tensions can be a quarter off Euler and Eytelwein's.
+//
 // Entry is found by following each node's path relative to the body through the step, so a node
 // does not jump through a body; segments between nodes are not seen.
 class ModifiedMass final : public ContactResponse {
