@@ -64,13 +64,19 @@ Pull pull(double heavy, double time) {
   return {net.initial.back().z() - sim.state().x.back().z(), heavy_leg / light_leg};
 }
 
-// Below the limit the drum holds. Stick and slip of taut neighbours are iterated one after the
-// other and flicker at first, so that the thread creeps a few millimetres in the first steps; free,
-// it would fall by (0.7 / 2.7) g t^2 / 2 = 29 mm.
+// Below the limit the drum holds; free, the mass would fall by (0.7 / 2.7) g t^2 / 2 = 29 mm.
 TEST(Capstan, HoldsBelowItsLimit) {
   const Pull p = pull(1.7, 0.15);
-  EXPECT_LT(p.moved, 0.01);
-  EXPECT_NEAR(p.ratio, 1.7, 0.1);
+  EXPECT_LT(p.moved, 2e-3);
+  EXPECT_NEAR(p.ratio, 1.7, 0.05);
+}
+
+// Above it the thread slides; the ratio of tensions is e^(mu pi) whatever the masses. Nodes 5
+// degrees apart enter and leave the wrap: its angle is uncertain by one of 36 pieces, 3 %.
+TEST(Capstan, SlidesAtTheRatioOfEulerAndEytelwein) {
+  const Pull p = pull(3.0, 0.2);
+  EXPECT_NEAR(p.ratio, std::exp(kFriction * kPi), 0.05 * std::exp(kFriction * kPi));
+  EXPECT_GT(p.moved, 0.01);
 }
 
 }  // namespace
