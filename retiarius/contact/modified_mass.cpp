@@ -154,8 +154,8 @@ double ModifiedMass::normal_impulse(const Contact& c, const Vec3& x1, const Vec3
   return c.normal.dot(step_->reaction_impulse() * reaction + mass_[c.node] * (surface - end));
 }
 
-// Coulomb's law for one contact; true if it changed. Within a step a node only goes from sticking to
-// sliding; a node that ends a step at rest sticks in the next one. So no contact alternates.
+// Coulomb's law for one contact; true if it changed. Within a step a node only goes from sticking
+// to sliding; a node that ends a step at rest sticks in the next one. So no contact alternates.
 bool ModifiedMass::revise_contact(Contact& c, const Vec3& reaction, bool may_change) const {
   if (friction_ == 0.0 || !may_change) return false;
   const double limit = friction_ * std::max(0.0, reaction.dot(c.normal));
@@ -193,8 +193,7 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
     return pulls;
   });
   bool changed = contacts_.size() != count;
-  for (Contact& c : contacts_)
-    changed |= revise_contact(c, reaction[c.node], may_change);
+  for (Contact& c : contacts_) changed |= revise_contact(c, reaction[c.node], may_change);
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contact_of_[contacts_[k].node] = static_cast<Index>(k);

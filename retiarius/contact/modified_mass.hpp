@@ -35,7 +35,7 @@ class ModifiedMass final : public ContactResponse {
     Vec3 target = Vec3::Zero();   // where the node ends if it sticks, at the predicted pose
     Vec3 lever = Vec3::Zero();    // from the predicted mass centre to the node, m
     bool sticks = false;
-    double limit = 0.0;            // friction on a sliding node at most, N
+    double limit = 0.0;  // friction on a sliding node at most, N
   };
 
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;

@@ -7,6 +7,10 @@ namespace retiarius {
 
 namespace {
 
+// Strain below which a tension-only thread is slack beyond doubt: above what rounding makes of the
+// rest length.
+constexpr double kEdge = 1e-12;
+
 // Rate of the strain at the start of the step, from the start's velocities, 1/s.
 double start_rate(const State& s, Index a, Index b, double rest_length) {
   const Vec3 e = s.x[b] - s.x[a];
@@ -20,8 +24,10 @@ double start_rate(const State& s, Index a, Index b, double rest_length) {
 double rate_offset(const Step& step, Index a, Index b, double rest_length) {
   const State& s = *step.start;
   switch (step.strain_rate) {
-    case Step::StrainRate::trapezoid: return -start_rate(s, a, b, rest_length);
-    case Step::StrainRate::start: return start_rate(s, a, b, rest_length);
+    case Step::StrainRate::trapezoid:
+      return -start_rate(s, a, b, rest_length);
+    case Step::StrainRate::start:
+      return start_rate(s, a, b, rest_length);
     case Step::StrainRate::midpoint: {
       const Vec3 e = s.x[b] - s.x[a];
       const Vec3 dv = s.v[b] - s.v[a];
@@ -31,7 +37,8 @@ double rate_offset(const Step& step, Index a, Index b, double rest_length) {
       return 0.25 * step.h * across / (std::sqrt(l2) * rest_length);
     }
     case Step::StrainRate::backward:
-    case Step::StrainRate::none: return 0.0;
+    case Step::StrainRate::none:
+      return 0.0;
   }
   return 0.0;
 }
@@ -76,9 +83,8 @@ void Stretching::prepare(const Step& step) {
     e.offset = e.axial_stiffness * e.damping * (rate * e.strain - offset);
     if (trapezoid_ && taut) {
       const double elastic = e.axial_stiffness * eps0;
-      const double now =
-          elastic + e.axial_stiffness * e.damping *
-                        start_rate(*step.start, e.a, e.b, e.rest_length);
+      const double now = elastic + e.axial_stiffness * e.damping *
+                                       start_rate(*step.start, e.a, e.b, e.rest_length);
       e.viscous = (e.compression ? now : std::max(0.0, now)) - elastic;
     }
   }
@@ -110,8 +116,11 @@ void Stretching::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out
     const Element& e = elements_[k];
     const Vec3 edge = y[e.b] - y[e.a];
     const double l = edge.norm();
-    const double t = tension(e, l / e.rest_length - 1.0);
-    if (!e.compression && t <= 0.0) continue;
+    const double strain = l / e.rest_length - 1.0;
+    const double t = tension(e, strain);
+    // A thread at the edge of slackness counts as taut in the Hessian: straight threads at rest
+    // would else learn of a pull by one segment an iteration.
+    if (!e.compression && std::min(strain, strain - e.offset / e.stiffness) < -kEdge) continue;
     // A bilateral segment of no length has no direction; any one will do for the push apart.
     const Vec3 dir = l > 0.0 ? Vec3(edge / l) : Vec3::UnitX();
     const Vec3 force = t * dir;

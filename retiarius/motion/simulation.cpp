@@ -179,6 +179,12 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   done.start = &old;
   const std::vector<Vec3>& y = problem_->stage();
   const std::vector<Vec3>& g = problem_->gradient();
+  // Before the state changes, which the problem still sees as the step's start.
+  std::vector<Vec3> force;
+  if (response_) {
+    for (const Constraint& c : response_->constraints())
+      force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
+  }
   State& now = state_;
   now.x = problem_->end_positions();
   now.bodies = problem_->end_bodies();
@@ -197,10 +203,6 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   now.touches.clear();
   if (response_ && !bodies_held_) {
     const std::vector<SolvedContact> contacts = response_->contacts();
-    const std::vector<Constraint>& constraints = response_->constraints();
-    std::vector<Vec3> force;
-    for (std::size_t k = 0; k < contacts.size(); ++k)
-      force.push_back(contacts[k].blocked * g[contacts[k].node] + problem_->friction_force(constraints[k]));
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
   }
   Exchange exchange;

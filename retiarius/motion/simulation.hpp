@@ -70,7 +70,7 @@ class Simulation {
 
   // Of the last accepted step: each segment's tension, viscous part included, N.
   const std::vector<double>& tensions() const { return tensions_; }
-  double stretching_energy() const { return stretching_->energy(state_.x); }  // J
+  double stretching_energy() const { return stretching_->energy(state_.x); }             // J
   double bending_energy() const { return bending_ ? bending_->energy(state_.x) : 0.0; }  // J
   const LinearSolver& solver() const { return problem_->solver(); }
 

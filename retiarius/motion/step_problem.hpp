@@ -37,13 +37,13 @@ class StepProblem final : public NewtonProblem {
 
   struct Start {
     const Step* step = nullptr;
-    std::vector<Vec3> predicted;               // stage that inertia alone would reach
-    std::vector<Vec3> guess;                   // where the iteration starts
+    std::vector<Vec3> predicted;  // stage that inertia alone would reach
+    std::vector<Vec3> guess;      // where the iteration starts
     const std::vector<Prescribed>* prescribed = nullptr;
-    std::vector<BodyState> bodies;             // at the step's end, in free motion
-    ContactResponse* contact = nullptr;        // null: none
-    double tolerance = 1e-8;                   // of the residual, relative
-    double force_floor = 0.0;                  // N, round-off of the forces
+    std::vector<BodyState> bodies;       // at the step's end, in free motion
+    ContactResponse* contact = nullptr;  // null: none
+    double tolerance = 1e-8;             // of the residual, relative
+    double force_floor = 0.0;            // N, round-off of the forces
   };
   void begin(Start start);
 
@@ -98,15 +98,15 @@ class StepProblem final : public NewtonProblem {
   std::vector<Neighbour> neighbours_;
 
   Start start_;
-  std::vector<Constraint> constraints_;     // ordered by node
-  std::vector<Index> constraint_of_;        // of each node, or kNone
-  std::vector<Mat6> body_mass_;             // times inertia, N/m and N m
+  std::vector<Constraint> constraints_;  // ordered by node
+  std::vector<Index> constraint_of_;     // of each node, or kNone
+  std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   double largest_force_ = 0.0;
   BlockMatrix matrix_;
   std::vector<Border> borders_;
-  std::vector<Mat6> border_diagonal_;       // of each pair of borders, row by row
+  std::vector<Mat6> border_diagonal_;  // of each pair of borders, row by row
 };
 
 }  // namespace retiarius

@@ -1,0 +1,199 @@
+#include "retiarius/solve/newton.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace retiarius {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+// A problem in a few scalars with its derivatives given.
+class Scalars : public NewtonProblem {
+ public:
+  Vector x, base, direction, gradient;
+  Matrix hessian;
+  std::function<double(const Vector&)> value;
+  std::function<Vector(const Vector&)> slope_of;
+  std::function<Matrix(const Vector&)> curvature;
+  std::function<bool(bool)> on_revise;
+  double residual_scale = 1e-12;
+  std::vector<double> residuals;  // at each direction
+
+  double assemble(bool definite) override {
+    gradient = slope_of(x);
+    hessian = curvature(x);
+    if (definite) {
+      const Eigen::SelfAdjointEigenSolver<Matrix> eigen(hessian);
+      hessian = eigen.eigenvectors() *
+                eigen.eigenvalues().cwiseMax(1e-3).asDiagonal().toDenseMatrix() *
+                eigen.eigenvectors().transpose();
+    }
+    return value(x);
+  }
+  double potential() override { return value(x); }
+  bool find_direction() override {
+    const Eigen::LLT<Matrix> factor(hessian);
+    if (factor.info() != Eigen::Success) return false;
+    residuals.push_back(gradient.norm());
+    base = x;
+    direction = factor.solve(-gradient);
+    return true;
+  }
+  double slope() const override { return gradient.dot(direction); }
+  void move(double fraction) override { x = base + fraction * direction; }
+  double direction_size() const override { return direction.norm(); }
+  double residual_ratio() const override { return gradient.norm() / residual_scale; }
+  bool revise(bool full) override { return on_revise && on_revise(full); }
+};
+
+// cosh(x0) + cosh(2 x1) + x0 x1 / 2: smooth and convex.
+Scalars smooth(double x0, double x1) {
+  Scalars p;
+  p.x = Vector::Zero(2);
+  p.x << x0, x1;
+  p.value = [](const Vector& x) {
+    return std::cosh(x[0]) + std::cosh(2 * x[1]) + 0.5 * x[0] * x[1] + x[0];
+  };
+  p.slope_of = [](const Vector& x) {
+    return Vector(
+        Eigen::Vector2d(std::sinh(x[0]) + 0.5 * x[1] + 1.0, 2 * std::sinh(2 * x[1]) + 0.5 * x[0]));
+  };
+  p.curvature = [](const Vector& x) {
+    Matrix m(2, 2);
+    m << std::cosh(x[0]), 0.5, 0.5, 4 * std::cosh(2 * x[1]);
+    return m;
+  };
+  return p;
+}
+
+NewtonSettings to(double tolerance) {
+  NewtonSettings s;
+  s.step_tolerance = tolerance;
+  return s;
+}
+
+TEST(Newton, ConvergesQuadratically) {
+  Scalars p = smooth(1.0, 0.7);
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_EQ(r.projections, 0);
+  EXPECT_LE(r.iterations, 10);
+  EXPECT_LT(p.gradient.norm(), 1e-12);
+  // |r_{k+1}| <= C |r_k|^2 once near the minimum, with C of the size of the third derivatives.
+  int checked = 0;
+  for (std::size_t k = 0; k + 1 < p.residuals.size(); ++k) {
+    if (p.residuals[k] > 0.3 || p.residuals[k + 1] < 1e-14) continue;
+    EXPECT_LT(p.residuals[k + 1], 2.0 * p.residuals[k] * p.residuals[k]);
+    ++checked;
+  }
+  EXPECT_GE(checked, 2);
+}
+
+// (x^2 - 1)^2 from where it is concave.
+TEST(Newton, ProjectsWhereTheHessianIsIndefinite) {
+  Scalars p;
+  p.x = Vector::Constant(1, 0.1);
+  p.value = [](const Vector& x) { return std::pow(x[0] * x[0] - 1.0, 2); };
+  p.slope_of = [](const Vector& x) { return Vector(4.0 * x * (x[0] * x[0] - 1.0)); };
+  p.curvature = [](const Vector& x) {
+    return Matrix(Matrix::Constant(1, 1, 12 * x[0] * x[0] - 4));
+  };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_GT(r.projections, 0);
+  EXPECT_NEAR(p.x[0], 1.0, 1e-10);
+}
+
+// sqrt(1 + x^2): a full Newton step from x overshoots to -x^3 and diverges beyond 1.
+TEST(Newton, LineSearchTamesOvershoot) {
+  Scalars p;
+  p.x = Vector::Constant(1, 4.0);
+  p.value = [](const Vector& x) { return std::sqrt(1.0 + x[0] * x[0]); };
+  p.slope_of = [](const Vector& x) { return Vector(x / std::sqrt(1.0 + x[0] * x[0])); };
+  p.curvature = [](const Vector& x) {
+    return Matrix(Matrix::Constant(1, 1, std::pow(1.0 + x[0] * x[0], -1.5)));
+  };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_NEAR(p.x[0], 0.0, 1e-12);
+}
+
+// The potential is infinite beyond 0.5: the search stays this side.
+TEST(Newton, LineSearchAvoidsWhatIsInadmissible) {
+  Scalars p;
+  p.x = Vector::Constant(1, 0.49);
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  p.value = [](const Vector& x) { return x[0] >= 0.5 ? kInf : -0.1 * std::log(0.5 - x[0]) - x[0]; };
+  p.slope_of = [](const Vector& x) {
+    return Vector(Vector::Constant(1, 0.1 / (0.5 - x[0]) - 1.0));
+  };
+  p.curvature = [](const Vector& x) {
+    return Matrix(Matrix::Constant(1, 1, 0.1 / std::pow(0.5 - x[0], 2)));
+  };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_NEAR(p.x[0], 0.4, 1e-10);
+}
+
+TEST(Newton, GoesOnAfterARevisionAndAsksAgain) {
+  Scalars p = smooth(1.0, 0.7);
+  int asked = 0;
+  p.on_revise = [&](bool full) {
+    if (!full) return false;
+    if (++asked == 1) p.x[0] += 0.3;
+    return asked == 1;
+  };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(asked, 2);
+  EXPECT_LT(p.gradient.norm(), 1e-12);
+}
+
+TEST(Newton, SaysThatIterationsRanOut) {
+  Scalars p = smooth(3.0, 2.0);
+  NewtonSettings settings = to(1e-10);
+  settings.max_iterations = 2;
+  const NewtonResult r = minimise(p, settings);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.iterations, 2);
+  EXPECT_EQ(r.failure, "no convergence within 2 iterations");
+}
+
+TEST(Newton, SaysThatThePotentialIsNotFinite) {
+  Scalars p = smooth(1.0, 1.0);
+  p.value = [](const Vector&) { return std::nan(""); };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.failure, "the potential is not finite");
+}
+
+// A gradient with the wrong sign: nothing falls along the direction.
+TEST(Newton, SaysThatTheLineSearchFoundNoDescent) {
+  Scalars p;
+  p.x = Vector::Constant(1, 1.0);
+  p.value = [](const Vector& x) { return x[0] * x[0]; };
+  p.slope_of = [](const Vector& x) { return Vector(-2.0 * x); };
+  p.curvature = [](const Vector&) { return Matrix(Matrix::Constant(1, 1, 2.0)); };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_FALSE(r.converged);
+  EXPECT_THAT(r.failure, ::testing::HasSubstr("line search found no descent at iteration 1"));
+}
+
+TEST(Newton, SaysThatTheProjectedMatrixIsNotDefinite) {
+  Scalars p = smooth(1.0, 1.0);
+  p.curvature = [](const Vector&) { return Matrix(Matrix::Constant(2, 2, std::nan(""))); };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.failure, "the projected matrix is not positive definite");
+}
+
+}  // namespace
+}  // namespace retiarius
