@@ -1,0 +1,94 @@
+// The tables [environment], [integrator], [contact], [[probe]] and [output].
+#include "retiarius/mission/schema.hpp"
+
+namespace retiarius {
+
+const Table<EnvironmentSpec>& environment_table() {
+  static const Table<EnvironmentSpec> table(
+      {"environment", "What surrounds the net. A phase may override it.", "", false, {}},
+      {key("gravity", &EnvironmentSpec::gravity, "m/s2", "acceleration of free fall"),
+       key("damping", &EnvironmentSpec::damping, "1/s", "environmental: force -damping m v")
+           .at_least(0)});
+  return table;
+}
+
+const Table<IntegratorSpec>& integrator_table() {
+  static const Table<IntegratorSpec> table(
+      {"integrator", "How time is stepped. A phase may override it.", "", false, {}},
+      {word("method", &IntegratorSpec::method,
+            {{"implicit-euler", Method::implicit_euler},
+             {"newmark", Method::newmark},
+             {"midpoint", Method::midpoint},
+             {"static", Method::static_solve}},
+            "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, or the "
+            "static equilibrium")
+           .not_yet({"auto", "explicit"}),
+       key("step", &IntegratorSpec::step, "s", "h; divides output.interval").above(0),
+       key("tolerance", &IntegratorSpec::tolerance, "",
+           "of Newton's iteration: of moves over the median rest length and of forces over the "
+           "largest force")
+           .above(0)
+           .up_to(0.1),
+       key("max_iterations", &IntegratorSpec::max_iterations, "",
+           "Newton iterations of one step before it is halved")
+           .at_least(1)
+           .up_to(1e6),
+       key("max_halvings", &IntegratorSpec::max_halvings, "", "of a step before the run fails")
+           .at_least(0)
+           .up_to(60)});
+  return table;
+}
+
+const Table<ContactSpec>& contact_table() {
+  static const Table<ContactSpec> table = [] {
+    Key<ContactSpec> self;
+    self.name = "self";
+    self.type = KeyType::boolean;
+    self.meaning = "contact of thread on thread; not available with this response";
+    self.get = [](const ContactSpec&) -> KeyValue { return false; };
+    self.set = [](ContactSpec&, const KeyValue&) {};
+    self.refuse = [](const KeyValue& value) -> std::string {
+      return std::get<bool>(value)
+                 ? "thread-on-thread contact is not available with this response; leave it false"
+                 : "";
+    };
+    return Table<ContactSpec>(
+        {"contact",
+         "What follows when threads touch bodies. A phase may override it.",
+         "",
+         false,
+         {}},
+        {word("method", &ContactSpec::method,
+              {{"none", ContactMethod::none}, {"modified-mass", ContactMethod::modified_mass}},
+              "of the response: none, or modified mass at nodes with the thread's radius")
+             .not_yet({"barrier"}),
+         key("friction", &ContactSpec::friction, "", "Coulomb's coefficient, thread on body")
+             .at_least(0),
+         self});
+  }();
+  return table;
+}
+
+const Table<ProbeSpec>& probe_table() {
+  static const Table<ProbeSpec> table(
+      {"probe", "A node whose position and support force the history lists.", "", true, {}},
+      {key("name", &ProbeSpec::name, "", "of the columns NAME.x, NAME.y, ...: letters, digits, _ -")
+           .else_used("the node's"),
+       key("node", &ProbeSpec::node, "", "center, corner0, corner1, ..., or an index")
+           .of_type(KeyType::node)
+           .must_be_given()});
+  return table;
+}
+
+const Table<OutputSpec>& output_table() {
+  static const Table<OutputSpec> table({"output", "When results are written.", "", false, {}},
+                                       {key("interval", &OutputSpec::interval, "s",
+                                            "between rows of the history; a multiple of the step")
+                                            .above(0),
+                                        key("frame_interval", &OutputSpec::frame_interval, "s",
+                                            "between frames; a multiple of interval")
+                                            .above(0)});
+  return table;
+}
+
+}  // namespace retiarius
