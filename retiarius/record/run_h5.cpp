@@ -1,0 +1,292 @@
+#include "retiarius/record/run_h5.hpp"
+
+#include <array>
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+#include <hdf5_hl.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/record/body_mesh.hpp"
+#include "retiarius/record/h5.hpp"
+#include "retiarius/record/history_csv.hpp"
+#include "retiarius/record/vtk_frames.hpp"
+
+namespace retiarius {
+
+namespace {
+
+constexpr hsize_t kHistoryChunk = 256;       // rows
+constexpr std::size_t kBufferedRows = 1024;  // at most, when frames are rare
+
+std::vector<double> flat(const std::vector<Vec3>& vectors) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * vectors.size());
+  for (const Vec3& v : vectors) numbers.insert(numbers.end(), v.begin(), v.end());
+  return numbers;
+}
+
+template <std::size_t N>
+std::vector<Index> flat(const std::vector<std::array<Index, N>>& tuples) {
+  std::vector<Index> numbers;
+  for (const auto& tuple : tuples) numbers.insert(numbers.end(), tuple.begin(), tuple.end());
+  return numbers;
+}
+
+h5::Handle create_file(const std::filesystem::path& path) {
+  h5::prepare();
+  h5::Handle access(h5::checked_id(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
+  // Needed for the single-writer-multiple-reader mode.
+  h5::checked(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
+  // Some cluster file systems have no locks; the run goes on there without.
+  h5::checked(H5Pset_file_locking(access.id(), true, true));
+  return h5::Handle(
+      h5::checked_id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id())), H5Fclose);
+}
+
+void describe(hid_t dataset, const char* unit, const char* meaning) {
+  h5::write_text(dataset, "units", unit);
+  h5::write_text(dataset, "long_name", meaning);
+}
+
+void write_net(hid_t file, const Network& net) {
+  const h5::Handle group = h5::make_group(file, "net");
+  const NetDrawing drawing = net_drawing(net);
+  const hsize_t nodes = net.design.size(), segments = net.segments.size();
+  std::vector<Index> material, thread;
+  std::vector<double> rest, radius(drawing.radius.begin(), drawing.radius.end());
+  std::vector<double> segment_radius;
+  for (const Segment& s : net.segments) {
+    material.push_back(s.material);
+    thread.push_back(s.thread);
+    rest.push_back(s.rest_length);
+    segment_radius.push_back(net.materials[static_cast<std::size_t>(s.material)].radius);
+  }
+  const hid_t id = group.id();
+  describe(h5::write_array(id, "design", {nodes, 3}, flat(net.design)).id(), "m",
+           "node positions as designed");
+  describe(h5::write_array(id, "mass", {nodes}, net.mass).id(), "kg", "lumped mass of each node");
+  describe(h5::write_array(id, "radius", {nodes}, radius).id(), "m",
+           "radius of the thickest thread at each node");
+  describe(h5::write_array(id, "segments", {segments, 2}, flat(drawing.segments)).id(), "1",
+           "the two nodes of each segment");
+  describe(h5::write_array(id, "rest_length", {segments}, rest).id(), "m", "of each segment");
+  describe(h5::write_array(id, "segment_radius", {segments}, segment_radius).id(), "m",
+           "of each segment");
+  describe(h5::write_array(id, "material", {segments}, material).id(), "1",
+           "index of each segment's material");
+  describe(h5::write_array(id, "thread", {segments}, thread).id(), "1",
+           "index of each segment's thread, -1 for none");
+  describe(h5::write_array(id, "corners", {net.corners.size()}, net.corners).id(), "1",
+           "nodes of the mouth's polygon in order");
+  describe(h5::write_array(id, "perimeter", {net.perimeter.size()}, net.perimeter).id(), "1",
+           "nodes of the outline in order");
+}
+
+void write_bodies(hid_t file, const RunModel& model) {
+  const h5::Handle group = h5::make_group(file, "bodies");
+  const std::vector<BodyDrawing> drawings = body_drawings(model);
+  for (std::size_t k = 0; k < drawings.size(); ++k) {
+    const TriangleMesh& mesh = drawings[k].mesh;
+    const h5::Handle body = h5::make_group(group.id(), std::to_string(k));
+    h5::write_text(body.id(), "name", drawings[k].name);
+    describe(
+        h5::write_array(body.id(), "vertices", {mesh.vertices.size(), 3}, flat(mesh.vertices)).id(),
+        "m", "vertices of the drawn surface in body axes");
+    describe(
+        h5::write_array(body.id(), "triangles", {mesh.triangles.size(), 3}, flat(mesh.triangles))
+            .id(),
+        "1", "three vertices of each triangle, counter-clockwise from outside");
+  }
+}
+
+}  // namespace
+
+// The open file with its growing datasets.
+class RunH5::File {
+ public:
+  File(const std::filesystem::path& path, const RunModel& model, const std::string& resolved,
+       const std::string& version)
+      : file_(create_file(path)), bodies_(model.bodies->size()) {
+    h5::write_integer(file_.id(), "format", kRunFileFormat);
+    h5::write_text(file_.id(), "program", "retiarius " + version);
+    const h5::Handle mission = h5::make_group(file_.id(), "mission");
+    h5::write_text(mission.id(), "title", model.mission->title);
+    h5::write_text(mission.id(), "resolved", resolved);
+    write_net(file_.id(), *model.network);
+    write_bodies(file_.id(), model);
+    create_history(model.mission->probes);
+    create_frames(model.network->design.size(), model.network->segments.size());
+    h5::checked(H5Fstart_swmr_write(file_.id()));
+  }
+
+  void add_row(const HistoryRow& row) {
+    const std::vector<double> values = history_values(row);
+    if (values.size() != columns_.size())
+      throw Error(fmt::format("a history row has {} values for {} columns", values.size(),
+                              columns_.size()));
+    for (std::size_t k = 0; k < values.size(); ++k) rows_[k].push_back(values[k]);
+    if (rows_[0].size() >= kBufferedRows) flush();
+  }
+
+  void add_frame(const Frame& frame) {
+    const State& s = *frame.state;
+    const hid_t number = H5T_NATIVE_DOUBLE;
+    const auto add = [&](const char* name, const std::vector<double>& values) {
+      frames_.at(name).append(values.data(), 1, number);
+    };
+    add("positions", flat(s.x));
+    add("velocities", flat(s.v));
+    add("tension", frame.tension);
+    add("strain", frame.strain);
+    add("curvature", frame.curvature);
+    if (bodies_ > 0) add_bodies(s.bodies);
+    frames_.at("phase").append(&frame.phase, 1, h5::native_type<Index>());
+    frames_.at("time").append(&s.time, 1, number);
+    flush();
+  }
+
+  void flush() {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (rows_[k].empty()) continue;
+      columns_[k].append(rows_[k].data(), rows_[k].size(), H5T_NATIVE_DOUBLE);
+      rows_[k].clear();
+    }
+    h5::checked(H5Fflush(file_.id(), H5F_SCOPE_LOCAL));
+  }
+
+ private:
+  void create_history(const std::vector<ProbeSpec>& probes) {
+    const h5::Handle group = h5::make_group(file_.id(), "history");
+    const std::vector<std::string> names = history_header(probes);
+    h5::write_text(group.id(), "columns", fmt::format("{}", fmt::join(names, ",")));
+    for (const std::string& name : names) {
+      const std::size_t k = columns_.size();
+      columns_.emplace_back(group.id(), name, H5T_NATIVE_DOUBLE, std::vector<hsize_t>{},
+                            kHistoryChunk, false);
+      if (k < history_columns().size()) {
+        const HistoryColumn& column = history_columns()[k];
+        describe(columns_[k].id(), column.unit.c_str(), column.meaning.c_str());
+      } else {
+        const bool force = name[name.size() - 2] == 'f';
+        describe(columns_[k].id(), force ? "N" : "m",
+                 force ? "support force on the probe's node" : "position of the probe's node");
+      }
+      if (k == 0) h5::checked(H5DSset_scale(columns_[0].id(), "time"));
+      if (k > 0) h5::checked(H5DSattach_scale(columns_[k].id(), columns_[0].id(), 0));
+    }
+    rows_.resize(columns_.size());
+  }
+
+  void create_frames(hsize_t nodes, hsize_t segments) {
+    const h5::Handle group = h5::make_group(file_.id(), "frames");
+    const auto create = [&](const char* name, hid_t type, std::vector<hsize_t> row,
+                            const char* unit, const char* meaning) {
+      const bool array = !row.empty();
+      const auto [entry, added] =
+          frames_.try_emplace(name, group.id(), name, type, row, array ? 1 : 64, array);
+      describe(entry->second.id(), unit, meaning);
+      const hid_t time = frames_.at("time").id();
+      if (entry->second.id() != time)
+        h5::checked(H5DSattach_scale(entry->second.id(), time, 0));
+      else
+        h5::checked(H5DSset_scale(time, "time"));
+    };
+    const hid_t number = H5T_NATIVE_DOUBLE;
+    const hsize_t bodies = bodies_;
+    create("time", number, {}, "s", "time since the mission's start");
+    create("phase", h5::native_type<Index>(), {}, "1", "index of the phase, from 0");
+    create("positions", number, {nodes, 3}, "m", "node positions");
+    create("velocities", number, {nodes, 3}, "m/s", "node velocities");
+    create("tension", number, {segments}, "N", "of each segment, viscous part included");
+    create("strain", number, {segments}, "1", "axial strain of each segment");
+    create("curvature", number, {nodes}, "1/m", "largest of the joints at each node");
+    if (bodies_ == 0) return;
+    create("body_position", number, {bodies, 3}, "m", "of each body's mass centre");
+    create("body_attitude", number, {bodies, 4}, "1",
+           "unit quaternion x, y, z, w, from body axes to world axes");
+    create("body_velocity", number, {bodies, 3}, "m/s", "of each body's mass centre");
+    create("body_angular_momentum", number, {bodies, 3}, "kg m2/s",
+           "about each body's mass centre, world axes");
+  }
+
+  void add_bodies(const std::vector<BodyState>& bodies) {
+    std::vector<Vec3> position, velocity, momentum;
+    std::vector<double> attitude;
+    for (const BodyState& b : bodies) {
+      position.push_back(b.position);
+      velocity.push_back(b.velocity);
+      momentum.push_back(b.angular_momentum);
+      attitude.insert(attitude.end(), b.attitude.coeffs().begin(), b.attitude.coeffs().end());
+    }
+    frames_.at("body_position").append(flat(position).data(), 1, H5T_NATIVE_DOUBLE);
+    frames_.at("body_attitude").append(attitude.data(), 1, H5T_NATIVE_DOUBLE);
+    frames_.at("body_velocity").append(flat(velocity).data(), 1, H5T_NATIVE_DOUBLE);
+    frames_.at("body_angular_momentum").append(flat(momentum).data(), 1, H5T_NATIVE_DOUBLE);
+  }
+
+  h5::Handle file_;  // declared first: closed after its datasets
+  std::size_t bodies_;
+  std::vector<h5::Series> columns_;
+  std::vector<std::vector<double>> rows_;  // of each column, not yet in the file
+  std::map<std::string, h5::Series> frames_;
+};
+
+template <class Call>
+void RunH5::guarded(const char* what, Call&& call) {
+  if (broken_) return;
+  try {
+    call();
+  } catch (const Error& error) {
+    broken_ = true;
+    save_what_is_written();
+    throw RunError(fmt::format("cannot {} {}: {}", what, path_.string(), error.what()));
+  }
+}
+
+// On a full disk the file may end before the end that its own header states, and HDF5 refuses it
+// then. A hole makes up the difference: it needs no space on the disk and nothing refers to it.
+void RunH5::save_what_is_written() {
+  file_.reset();
+  constexpr std::streamoff kEndOfFileAddress = 28;  // in a superblock of version 2 or 3
+  std::array<unsigned char, 8> bytes{};
+  std::ifstream stream(path_, std::ios::binary);
+  stream.seekg(kEndOfFileAddress);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
+  std::uintmax_t stated = 0;
+  for (std::size_t k = 0; k < bytes.size(); ++k) stated |= std::uintmax_t{bytes[k]} << (8 * k);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  if (!error && stated > size) std::filesystem::resize_file(path_, stated, error);
+  // A failure here leaves the file as it is; the error that led here is the one to report.
+}
+
+RunH5::RunH5(const std::filesystem::path& folder, std::string resolved, std::string version)
+    : path_(folder / "run.h5"), resolved_(std::move(resolved)), version_(std::move(version)) {}
+
+RunH5::~RunH5() = default;
+
+void RunH5::begin(const RunModel& model) {
+  guarded("create", [&] { file_ = std::make_unique<File>(path_, model, resolved_, version_); });
+}
+
+void RunH5::history(const HistoryRow& row) {
+  guarded("write", [&] { file_->add_row(row); });
+}
+
+void RunH5::frame(const Frame& frame) {
+  guarded("write", [&] { file_->add_frame(frame); });
+}
+
+void RunH5::checkpoint(const State&) {
+  guarded("write", [&] { file_->flush(); });
+}
+
+void RunH5::end(const RunReport&) {
+  if (!file_) return;
+  guarded("write", [&] { file_->flush(); });
+  file_.reset();
+}
+
+}  // namespace retiarius

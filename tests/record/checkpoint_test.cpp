@@ -1,0 +1,140 @@
+#include "retiarius/record/checkpoint.hpp"
+
+#include <cstring>
+
+#include <gmock/gmock.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/record/file.hpp"
+#include "tests/record/sample_run.hpp"
+
+namespace retiarius {
+namespace {
+
+using testing::error_text;
+using ::testing::HasSubstr;
+using testing::SampleRun;
+using testing::TemporaryFolder;
+
+State small_state() {
+  State s = SampleRun(1).state(0.3);
+  s.x[0].x() = 5e-324;  // the smallest double
+  s.x[1].y() = -0.0;
+  s.account.prescribed_work = 1.0 / 3.0;
+  s.account.outside_angular_impulse = Vec3(4, 5, 6);
+  return s;
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+
+void expect_same_bits(const State& a, const State& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.step, b.step);
+  ASSERT_EQ(a.x.size(), b.x.size());
+  for (std::size_t k = 0; k < a.x.size(); ++k) {
+    EXPECT_TRUE(same_bits(a.x[k], b.x[k]));
+    EXPECT_TRUE(same_bits(a.v[k], b.v[k]));
+    EXPECT_TRUE(same_bits(a.support[k], b.support[k]));
+  }
+  ASSERT_EQ(a.bodies.size(), b.bodies.size());
+  for (std::size_t k = 0; k < a.bodies.size(); ++k) {
+    EXPECT_TRUE(same_bits(a.bodies[k].position, b.bodies[k].position));
+    EXPECT_EQ(a.bodies[k].attitude.coeffs(), b.bodies[k].attitude.coeffs());
+    EXPECT_TRUE(same_bits(a.bodies[k].velocity, b.bodies[k].velocity));
+    EXPECT_TRUE(same_bits(a.bodies[k].angular_momentum, b.bodies[k].angular_momentum));
+  }
+  ASSERT_EQ(a.touches.size(), b.touches.size());
+  for (std::size_t k = 0; k < a.touches.size(); ++k) {
+    EXPECT_EQ(a.touches[k].node, b.touches[k].node);
+    EXPECT_EQ(a.touches[k].body, b.touches[k].body);
+    EXPECT_EQ(a.touches[k].sticks, b.touches[k].sticks);
+    EXPECT_TRUE(same_bits(a.touches[k].reaction, b.touches[k].reaction));
+  }
+  EXPECT_EQ(a.account.material_loss, b.account.material_loss);
+  EXPECT_EQ(a.account.environment_loss, b.account.environment_loss);
+  EXPECT_EQ(a.account.friction_loss, b.account.friction_loss);
+  EXPECT_EQ(a.account.impact_loss, b.account.impact_loss);
+  EXPECT_EQ(a.account.prescribed_work, b.account.prescribed_work);
+  EXPECT_EQ(a.account.outside_impulse, b.account.outside_impulse);
+  EXPECT_EQ(a.account.outside_angular_impulse, b.account.outside_angular_impulse);
+}
+
+// Published test vectors of the 64-bit FNV-1a hash.
+TEST(Fnv1a, GivesThePublishedValues) {
+  EXPECT_EQ(fnv1a(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(fnv1a("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8u);
+}
+
+TEST(Checkpoint, ComesBackBitForBit) {
+  State s = small_state();
+  s.account.environment_loss = 2.0;
+  s.account.friction_loss = 3.0;
+  s.account.impact_loss = 4.0;
+  expect_same_bits(decode_checkpoint(encode_checkpoint(s), "c"), s);
+}
+
+TEST(Checkpoint, IsRefusedWhenTornAtAnyByte) {
+  const std::string bytes = encode_checkpoint(small_state());
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(decode_checkpoint(bytes.substr(0, size), "c"), InputError) << size;
+  EXPECT_THROW(decode_checkpoint(bytes + "x", "c"), InputError);
+}
+
+TEST(Checkpoint, IsRefusedWhenAnyByteIsChanged) {
+  const std::string bytes = encode_checkpoint(small_state());
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    std::string changed = bytes;
+    changed[k] = static_cast<char>(changed[k] ^ 0x10);
+    EXPECT_THROW(decode_checkpoint(changed, "c"), InputError) << k;
+  }
+}
+
+TEST(Checkpoint, SaysWhatIsWrong) {
+  std::string bytes = encode_checkpoint(small_state());
+  EXPECT_EQ(error_text<InputError>([&] { decode_checkpoint("time,step\n0,1\n", "h.csv"); }),
+            "cannot use the checkpoint h.csv: it is not a checkpoint");
+  EXPECT_THAT(error_text<InputError>([&] { decode_checkpoint("", "c"); }),
+              HasSubstr("ends too early"));
+  bytes[8] = 9;
+  EXPECT_EQ(error_text<InputError>([&] { decode_checkpoint(bytes, "c"); }),
+            "cannot use the checkpoint c: it has format 9, this version reads format 1");
+}
+
+TEST(ReadCheckpoint, UsesThePreviousOneWhenTheNewestIsTornAtAnyByte) {
+  TemporaryFolder folder;
+  CheckpointFile file(folder.path());
+  State s = small_state();
+  file.checkpoint(s);
+  s.time = 0.5;
+  file.checkpoint(s);
+  EXPECT_EQ(read_checkpoint(folder.path()).time, 0.5);
+  EXPECT_EQ(read_checkpoint(folder / "checkpoint").time, 0.5);
+  const std::string bytes = read_whole_file(folder / "checkpoint");
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    OutputFile(folder / "checkpoint").write(std::string_view(bytes).substr(0, size));
+    EXPECT_EQ(read_checkpoint(folder.path()).time, 0.3) << size;
+  }
+  std::filesystem::remove(folder / "checkpoint");  // died between the two renames
+  EXPECT_EQ(read_checkpoint(folder.path()).time, 0.3);
+}
+
+TEST(ReadCheckpoint, NamesBothFilesWhenNeitherCanBeUsed) {
+  TemporaryFolder folder;
+  write_atomically(folder / "checkpoint", "torn");
+  write_atomically(folder / "checkpoint.previous", "RETC");
+  const std::string text = error_text<InputError>([&] { read_checkpoint(folder.path()); });
+  EXPECT_THAT(text, HasSubstr("checkpoint: it is not a checkpoint; "));
+  EXPECT_THAT(text, HasSubstr("checkpoint.previous: it ends too early"));
+}
+
+TEST(ReadCheckpoint, SaysWhenThereIsNone) {
+  TemporaryFolder folder;
+  EXPECT_EQ(error_text<InputError>([&] { read_checkpoint(folder.path()); }),
+            "cannot read " + (folder / "checkpoint").string() + ": No such file or directory");
+}
+
+}  // namespace
+}  // namespace retiarius
