@@ -1,0 +1,29 @@
+// The extremes of a run or phase.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "retiarius/measure/readings.hpp"
+
+namespace retiarius {
+
+// What was largest, smallest or first since a start. Shapes count from the start itself, tensions
+// and contacts, which belong to steps, from the first step after it.
+struct Peaks {
+  double mouth_area = -1.0;        // largest, m2
+  double mouth_area_time = 0.0;    // when, s
+  double mouth_area_travel = 0.0;  // of the corners then, m
+  std::optional<double> tension;   // N
+  double strain = -1.0;
+  std::optional<double> first_contact;      // s
+  std::optional<double> smallest_distance;  // m
+  std::int64_t steps = 0;
+  std::int64_t iterations = 0;  // Newton's
+
+  // travel: mean displacement of the corners along the axis since the shot, m.
+  void see_shape(double time, const Readings& readings, double travel);
+  void see_step(double time, int newton_iterations, double peak_tension, bool touching);
+};
+
+}  // namespace retiarius

@@ -1,0 +1,70 @@
+// The measures of a run as names, units and values.
+#include "retiarius/measure/capture.hpp"
+#include "retiarius/measure/run_measures.hpp"
+
+namespace retiarius {
+
+namespace {
+
+Measure measure(const char* name, const char* unit, double value) { return {name, unit, value}; }
+
+template <typename Value>
+Measure measure(const char* name, const char* unit, const std::optional<Value>& value) {
+  if (!value) return {name, unit, std::monostate{}};
+  return {name, unit, *value};
+}
+
+}  // namespace
+
+Measures RunMeasures::summary() const {
+  std::optional<Capture> capture;
+  if (!bodies_->empty()) capture = measure_capture(bodies_->front(), poses_.front(), nodes_);
+  const bool closed = closure_.closed();
+  std::optional<double> share;
+  std::optional<bool> success;
+  if (capture) {
+    share = capture->share;
+    success = capture->share > 0.9 && capture->center_inside && closed;
+  }
+  std::optional<double> widest_travel;
+  if (!shot_corners_.empty()) widest_travel = whole_.mouth_area_travel;
+  return {
+      measure("mouth_area_flat", "m2", flat_area_),
+      measure("mouth_width_flat", "m", flat_width_),
+      measure("mouth_area_max", "m2", whole_.mouth_area),
+      measure("mouth_area_max_time", "s", whole_.mouth_area_time),
+      measure("mouth_area_max_travel", "m", widest_travel),
+      measure("mouth_area_final", "m2", readings_.mouth_area),
+      measure("mouth_vector_area_final", "m2", readings_.mouth_vector_area),
+      measure("mouth_width_final", "m", readings_.mouth_width),
+      measure("peak_tension", "N", whole_.tension),
+      measure("peak_tension_20ms", "N", window_.largest()),
+      measure("peak_strain", "", whole_.strain),
+      measure("first_contact_time", "s", whole_.first_contact),
+      measure("smallest_distance", "m", whole_.smallest_distance),
+      measure("captured_share", "", share),
+      {"closed", "", closed},
+      measure("success", "", success),
+      measure("linear_momentum_drift", "", linear_.value()),
+      measure("angular_momentum_drift", "", angular_.value()),
+      {"steps", "", steps_},
+      {"newton_iterations", "", iterations_},
+  };
+}
+
+Measures RunMeasures::phase_summary() const {
+  return {
+      measure("mouth_area_max", "m2", phase_.mouth_area),
+      measure("mouth_area_max_time", "s", phase_.mouth_area_time),
+      measure("mouth_area_final", "m2", readings_.mouth_area),
+      measure("mouth_width_final", "m", readings_.mouth_width),
+      measure("peak_tension", "N", phase_.tension),
+      measure("peak_strain", "", phase_.strain),
+      measure("first_contact_time", "s", phase_.first_contact),
+      measure("smallest_distance", "m", phase_.smallest_distance),
+      {"steps", "", phase_.steps},
+      {"newton_iterations", "", phase_.iterations},
+  };
+}
+
+}  // namespace retiarius
