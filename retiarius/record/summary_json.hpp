@@ -6,7 +6,7 @@
 #include <string>
 
 #include "retiarius/mission/observer.hpp"
-#include "retiarius/record/build_info.hpp"
+#include "retiarius/base/build_info.hpp"
 
 namespace retiarius {
 
