@@ -16,6 +16,9 @@ struct RunOptions {
   // Set from outside (a signal handler, another thread) to end the run after the present step; its
   // outcome is then `interrupted`. May be null.
   const std::atomic<bool>* stop = nullptr;
+  // The state that the mission's net.state names, read by whoever can read results: its nodes are
+  // where the net starts. Required where net.state is given.
+  std::optional<State> net_state;
   // Where the run starts instead of the mission's initial positions; bodies too where there are as
   // many as the mission has. Time and accounts begin anew.
   std::optional<State> start;

@@ -240,6 +240,11 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
   }
 }
 
+void Simulation::place(const std::vector<Vec3>& x) {
+  state_.x = x;
+  std::fill(state_.v.begin(), state_.v.end(), Vec3::Zero());
+}
+
 void Simulation::kick(Index node, const Vec3& velocity) {
   const double m = network_->mass[node];
   const Vec3 impulse = m * (velocity - state_.v[node]);

@@ -52,6 +52,9 @@ class Simulation {
   // Static equilibrium with the nodes of `held` at their places. Throws RunError.
   StepReport solve_static(const std::vector<Prescribed>& held);
 
+  // Puts the nodes at rest at given positions: a first shape before anything has moved.
+  void place(const std::vector<Vec3>& x);
+
   // Gives a node a new velocity at once, as a shot does; impulse and work are accounted for.
   void kick(Index node, const Vec3& velocity);
 

@@ -1,0 +1,35 @@
+// Times on regular grids: k h, never summed.
+#pragma once
+
+#include <cmath>
+
+namespace retiarius {
+
+// Times within this share of the spacing count as on the grid.
+inline constexpr double kGridTolerance = 1e-6;
+
+// The first multiple of h after `now`.
+inline double next_on_grid(double now, double h) {
+  return (std::floor(now / h + kGridTolerance) + 1.0) * h;
+}
+
+// Tells which states are written: those at multiples of an interval, and the last one.
+class OutputGrid {
+ public:
+  explicit OutputGrid(double interval) : interval_(interval) {}
+
+  // Whether the state at `now` is to be written; each time is written once.
+  bool due(double now, bool last) {
+    if (now <= written_) return false;
+    const double k = std::round(now / interval_);
+    if (!last && std::abs(now / interval_ - k) > kGridTolerance) return false;
+    written_ = now;
+    return true;
+  }
+
+ private:
+  double interval_;
+  double written_ = -1.0;
+};
+
+}  // namespace retiarius
