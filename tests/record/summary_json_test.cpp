@@ -62,7 +62,7 @@ TEST(SummaryJson, SaysWhyARunEnded) {
 TEST(SummaryJson, NamesVersionsOptionsKernelsAndSeed) {
   const auto summary = written(SampleRun(), Outcome::finished);
   EXPECT_EQ(summary["versions"]["retiarius"], "0.1.0");
-  EXPECT_EQ(summary["versions"]["revision"], "abc123");
+  EXPECT_EQ(summary["versions"]["revision"], "v0.1.0");
   EXPECT_EQ(summary["versions"]["compiler"], "gcc 12");
   EXPECT_EQ(summary["versions"]["libraries"]["fmt"], "9.1.0");
   EXPECT_EQ(summary["options"]["native"], "off");
