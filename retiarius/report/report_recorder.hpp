@@ -19,7 +19,7 @@ class Thinned {
     if (count_++ % stride_ != 0) return;
     items_.push_back(std::move(item));
     if (items_.size() <= limit_) return;
-    for (std::size_t k = 0; 2 * k < items_.size(); ++k) items_[k] = std::move(items_[2 * k]);
+    for (std::size_t k = 1; 2 * k < items_.size(); ++k) items_[k] = std::move(items_[2 * k]);
     items_.resize((items_.size() + 1) / 2);
     stride_ *= 2;
   }

@@ -23,6 +23,12 @@ TEST(ThinnedItems, StayBoundedAndEven) {
     EXPECT_EQ(items.items()[k], static_cast<int>(k) * items.items()[1]);
 }
 
+TEST(ThinnedItems, KeepTheirContent) {
+  Thinned<std::vector<int>> items(4);
+  for (int k = 0; k < 100; ++k) items.add({k, k});
+  for (const auto& item : items.items()) EXPECT_EQ(item.size(), 2u);
+}
+
 std::vector<double> times(const std::vector<Picture>& pictures) {
   std::vector<double> list;
   for (const Picture& p : pictures) list.push_back(p.time);
