@@ -321,6 +321,11 @@ void MissionLoop::check_strength() {
 
 }  // namespace
 
+void check_run(const Mission& mission, const MissionModel& model, const RunOptions& options) {
+  Observer nobody;
+  MissionLoop(mission, model, nobody, options);
+}
+
 RunReport run_mission(const Mission& mission, const MissionModel& model, Observer& observer,
                       const RunOptions& options) {
   MissionLoop loop(mission, model, observer, options);

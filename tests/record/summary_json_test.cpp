@@ -13,7 +13,8 @@ using testing::SampleRun;
 using testing::TemporaryFolder;
 
 BuildInfo some_build() {
-  return {"0.1.0", "v0.1.0", "gcc 12", "Release", {{"native", "off"}}, "portable", {{"fmt", "9.1.0"}}};
+  return {"0.1.0",    "v0.1.0",          "gcc 12", "Release", {{"native", "off"}},
+          "portable", {{"fmt", "9.1.0"}}};
 }
 
 nlohmann::json written(const SampleRun& run, Outcome outcome) {

@@ -1,0 +1,20 @@
+// retiarius docs mission-file: the page that documents the mission file, from its schema.
+#include <memory>
+
+#include "program/commands.hpp"
+#include "program/console.hpp"
+#include "retiarius/mission/writer.hpp"
+
+namespace retiarius::program {
+
+void add_docs_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("docs", "Print generated documentation");
+  command->group("");  // not in the help: it is for those who maintain docs/
+  auto page = std::make_shared<std::string>();
+  command->add_option("PAGE", *page, "mission-file")
+      ->required()
+      ->check(CLI::IsMember({"mission-file"}));
+  command->callback([] { print(mission_file_markdown()); });
+}
+
+}  // namespace retiarius::program
