@@ -38,6 +38,7 @@ const std::atomic<bool>& catch_interruptions() {
   handle(SIGTERM, SA_RESTART);
   handle(SIGUSR1, SA_RESTART);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   return stop_requested;
 }
 
