@@ -136,13 +136,24 @@ std::optional<ConvexHull> convex_hull(const std::vector<Vec3>& points) {
 double captured_share(const TriangleMesh& surface, const BodyState& pose, const ConvexHull& hull) {
   std::vector<Vec3> world;
   world.reserve(surface.vertices.size());
-  for (const Vec3& p : surface.vertices) world.push_back(to_world(pose, p));
+  std::vector<bool> held;
+  for (const Vec3& p : surface.vertices) {
+    world.push_back(to_world(pose, p));
+    held.push_back(hull.contains(world.back()));
+  }
   double total = 0.0, inside = 0.0;
   Polygon polygon, kept;
   for (const auto& triangle : surface.triangles) {
     polygon.clear();
     for (const Index v : triangle) polygon.push_back(world[static_cast<std::size_t>(v)]);
-    total += area(polygon);
+    const double whole = area(polygon);
+    total += whole;
+    // The hull is convex: it holds a triangle whose corners it holds.
+    if (std::all_of(triangle.begin(), triangle.end(),
+                    [&](Index v) { return held[static_cast<std::size_t>(v)]; })) {
+      inside += whole;
+      continue;
+    }
     for (const auto& plane : hull.planes) {
       if (polygon.size() < 3) break;
       clip(polygon, plane, kept);

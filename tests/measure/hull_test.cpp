@@ -77,6 +77,30 @@ TEST(ConvexHull, IsEmptyForWhatHasNoVolume) {
   EXPECT_FALSE(convex_hull(net).has_value());
 }
 
+// Many coplanar, repeated and nearly coplanar points, as folded nets have them.
+TEST(ConvexHull, SurvivesNetsThatAreNearlyFlat) {
+  std::mt19937 engine(8);
+  std::normal_distribution<double> normal;
+  for (const double height : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-6, 1e-2}) {
+    for (const int levels : {1, 2, 3}) {
+      std::vector<Vec3> net;
+      for (int i = 0; i < 900 * levels; ++i) {
+        const double z = i / 900 + height * normal(engine);
+        net.emplace_back(5.0 + 0.2 * (i % 30), 0.2 * (i / 30 % 30), 4.0 + z);
+        if (i % 7 == 0) net.push_back(net.back());
+      }
+      std::optional<ConvexHull> hull;
+      ASSERT_NO_THROW(hull = convex_hull(net)) << height << " " << levels;
+      if (levels > 1) {
+        ASSERT_TRUE(hull.has_value());
+        EXPECT_NEAR(hull->volume, 5.8 * 5.8 * (levels - 1), 0.1 + 300.0 * height);
+      }
+      if (!hull) continue;
+      for (const Vec3& p : net) ASSERT_TRUE(hull->contains(p)) << height << " " << levels;
+    }
+  }
+}
+
 TEST(ConvexHull, RefusesPointsThatAreNotFinite) {
   std::vector<Vec3> points = box_corners(Vec3::Zero(), Vec3::Ones());
   points[3].y() = std::nan("");
