@@ -60,7 +60,7 @@ std::string phases(const RunReport& report) {
   for (const PhaseReport& phase : report.phases)
     table.add({phase.name, fmt::format("{:.6g} s", phase.start), fmt::format("{:.6g} s", phase.end),
                phase.trigger});
-  return "\n" + table.text();
+  return fmt::format("\n{}", table.text());
 }
 
 std::string measures(const RunReport& report) {
@@ -70,7 +70,7 @@ std::string measures(const RunReport& report) {
     const std::string value = measure == nullptr ? "" : value_text(*measure);
     if (!value.empty()) table.add(measure->name, value);
   }
-  return table.empty() ? "" : "\n" + table.text();
+  return table.empty() ? "" : fmt::format("\n{}", table.text());
 }
 
 }  // namespace
