@@ -12,8 +12,10 @@
 
 namespace retiarius::program {
 
+CLI::Validator quiet(CLI::Validator validator) { return validator.description(""); }
+
 void MissionArguments::add_to(CLI::App& command) {
-  command.add_option("MISSION", file, "Mission file (TOML)")->required();
+  command.add_option("MISSION", file, "Mission file (TOML)")->required()->type_name("");
   command
       .add_option("--set", overrides,
                   "Override one key, e.g. net.thread.radius=0.004; may be given again")
@@ -32,12 +34,12 @@ void ComputingArguments::add_to(CLI::App& command) {
       .add_option("--threads", threads,
                   "Threads to compute with; results do not depend on it (default: all)")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->check(quiet(CLI::Range(1, 4096)));
   command
       .add_option("--kernels", kernels,
                   "Code paths of the solver; results differ in the last digits (default: auto)")
       ->type_name("auto|portable|avx2|avx512")
-      ->check(CLI::IsMember({"auto", "portable", "avx2", "avx512"}));
+      ->check(quiet(CLI::IsMember({"auto", "portable", "avx2", "avx512"})));
 }
 
 void ComputingArguments::apply() const {

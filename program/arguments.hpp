@@ -10,6 +10,9 @@
 
 namespace retiarius::program {
 
+// The validator without its text in the help, where the option's type says it already.
+CLI::Validator quiet(CLI::Validator validator);
+
 // MISSION and --set.
 struct MissionArguments {
   std::string file;

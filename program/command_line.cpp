@@ -43,6 +43,9 @@ ExitCode parse_and_run(int argc, char** argv) {
   CLI::App app(kDescription, "retiarius");
   ExitCode code = kOk;
   app.require_subcommand(1);
+  app.get_formatter()->label("REQUIRED", "");
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.get_formatter()->column_width(28);
   app.set_version_flag("--version", version_text,
                        "Print version, revision, build options and kernels");
   add_run_command(app, code);
@@ -51,6 +54,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_info_command(app);
   add_export_command(app);
   add_docs_command(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!command->get_group().empty()) command->group("Commands");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

@@ -1,6 +1,7 @@
 // retiarius docs mission-file: the page that documents the mission file, from its schema.
 #include <memory>
 
+#include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/console.hpp"
 #include "retiarius/mission/writer.hpp"
@@ -13,7 +14,8 @@ void add_docs_command(CLI::App& app) {
   auto page = std::make_shared<std::string>();
   command->add_option("PAGE", *page, "mission-file")
       ->required()
-      ->check(CLI::IsMember({"mission-file"}));
+      ->type_name("")
+      ->check(quiet(CLI::IsMember({"mission-file"})));
   command->callback([] { print(mission_file_markdown()); });
 }
 

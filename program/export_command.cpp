@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/console.hpp"
 #include "program/output_guard.hpp"
@@ -35,11 +36,11 @@ void export_run(const ExportArguments& arguments) {
 void add_export_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("export", "Write a run's data in another form");
   auto arguments = std::make_shared<ExportArguments>();
-  command->add_option("DIR", arguments->run, "Folder of a run")->required();
+  command->add_option("DIR", arguments->run, "Folder of a run")->required()->type_name("");
   command->add_option("--to", arguments->form, "Form: vtk (for ParaView) or csv")
       ->required()
       ->type_name("vtk|csv")
-      ->check(CLI::IsMember({"vtk", "csv"}));
+      ->check(quiet(CLI::IsMember({"vtk", "csv"})));
   command->add_option("--out", arguments->out, "Folder to write; default DIR/vtk or DIR/csv")
       ->type_name("DIR2");
   command->callback([arguments] { export_run(*arguments); });

@@ -52,7 +52,8 @@ void add_new_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("new", "Write a commented mission to start from");
   auto name = std::make_shared<std::string>();
   command->add_option("NAME", *name, "NAME.toml is written; an existing file stays as it is")
-      ->required();
+      ->required()
+      ->type_name("");
   command->callback([name] {
     const fs::path path = mission_path(*name);
     write_new_file(path, starter_mission(path.stem().string()));

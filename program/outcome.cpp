@@ -37,7 +37,8 @@ const Measure* find(const Measures& measures, std::string_view name) {
 std::string headline(const Mission& mission, const RunReport& report) {
   std::string text = to_string(report.outcome);
   if (!mission.title.empty()) text += ": " + mission.title;
-  if (!report.reason.empty()) text += "\n  " + report.reason;
+  // Why a run failed is told as an error.
+  if (report.outcome != Outcome::failed && !report.reason.empty()) text += "\n  " + report.reason;
   return text + "\n";
 }
 

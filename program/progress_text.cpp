@@ -12,7 +12,7 @@ namespace retiarius::program {
 namespace {
 
 std::string bar(double share) {
-  constexpr int kWidth = 20;
+  constexpr int kWidth = 10;
   share = std::clamp(share, 0.0, 1.0);
   const int done = static_cast<int>(share * kWidth);
   std::string text(kWidth, ' ');
@@ -31,7 +31,7 @@ std::string progress_text(const ProgressValues& values) {
   if (!values.speed || !(*values.speed > 0.0)) return text;
   text += fmt::format("  {:.2g} x real time", *values.speed);
   if (values.end)
-    text += fmt::format("  at most {} left",
+    text += fmt::format("  {} left",
                         duration(std::max(0.0, *values.end - values.time) / *values.speed));
   return text;
 }

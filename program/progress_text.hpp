@@ -18,8 +18,9 @@ struct ProgressValues {
   std::optional<double> speed;  // simulated over real time; absent: too early to tell
 };
 
-// "[=====>    ]  52 %  close 4/5  t = 1.284 s  0.42 x real time  at most 12 s left"; without a
-// known end the bar and the time left are missing.
+// "[=====>    ]  52 %  close 4/5  t = 1.284 s  0.42 x real time  12 s left", which fits into 80
+// columns. Share and time left are those up to the latest end: phases may end earlier. Without a
+// known end both are missing.
 std::string progress_text(const ProgressValues& values);
 
 // The mission time at which the last phase ends at the latest; none where a phase may go on.

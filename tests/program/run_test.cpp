@@ -131,7 +131,7 @@ TEST(Run, BrokenThreadIsAnOutcomeWithExitCodeOne) {
   EXPECT_EQ(summary_of(folder, "out/m")["outcome"], "broke");
 }
 
-// Newton's iteration cannot reach a tolerance below round-off: the run fails, and says why.
+// Under such a weight the net's motion is beyond what a step can follow.
 TEST(Run, FailureIsToldWithWhatWasComputed) {
   const WorkFolder folder;
   folder.write("m.toml", small_mission());
