@@ -12,9 +12,11 @@ namespace {
 constexpr double kEntryDepth = 1e-3;
 // Sliding friction is iterated with the normal reaction until it holds to this share.
 constexpr double kFrictionTolerance = 1e-4;
+// Cosine between the normals where a node enters and where it was heading, on one side of a body.
+constexpr double kSameSide = 0.5;
 constexpr int kMostRevisions = 30;
 constexpr int kMostModeChanges = 4;
-constexpr int kMostPathSteps = 100;
+constexpr int kMostPathSteps = 400;
 
 bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
   const double reach = body.shape->bounding_radius() + margin;
@@ -29,9 +31,10 @@ bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& 
 }  // namespace
 
 ModifiedMass::ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius,
-                           double friction)
+                           std::vector<double> mass, double friction)
     : bodies_(&bodies),
       radius_(std::move(radius)),
+      mass_(std::move(mass)),
       friction_(friction),
       contact_of_(radius_.size(), kNone),
       released_(radius_.size(), 0) {}
@@ -46,13 +49,15 @@ ModifiedMass::Contact ModifiedMass::make_contact(Index node, Index body, const V
   c.body = body;
   c.normal = pose.attitude * p.normal;
   c.target = to_world(pose, target_in_body + (radius_[node] - p.distance) * p.normal);
-  c.lever = c.target - radius_[node] * c.normal - pose.position;
+  c.lever = c.target - pose.position;
   c.sticks = sticks && friction_ > 0.0;
   return c;
 }
 
-void ModifiedMass::begin(const State& start, const std::vector<Vec3>& predicted,
+void ModifiedMass::begin(const Step& step, const std::vector<Vec3>& predicted,
                          const std::vector<BodyState>& bodies, const std::vector<bool>& held) {
+  const State& start = *step.start;
+  step_ = &step;
   start_ = &start;
   predicted_ = bodies;
   now_ = bodies;
@@ -66,6 +71,7 @@ void ModifiedMass::begin(const State& start, const std::vector<Vec3>& predicted,
     const Vec3 where = t.sticks ? to_body(start.bodies[t.body], start.x[t.node])
                                 : to_body(bodies[t.body], predicted[t.node]);
     contacts_.push_back(make_contact(t.node, t.body, where, t.sticks));
+    contact_of_[t.node] = static_cast<Index>(contacts_.size()) - 1;
     if (!t.sticks && friction_ > 0.0) {
       const Vec3 slide = slip(contacts_.back(), predicted[t.node]);
       const double reaction = std::max(0.0, t.reaction.dot(contacts_.back().normal));
@@ -90,7 +96,7 @@ bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState
   for (int k = 0; k < kMostPathSteps; ++k) {
     const Vec3 p = from + t * (to - from);
     const double gap = shape.nearest(p).distance - radius_[node];
-    if (gap < -depth || (t < 1.0 && gap < 0.0 && t > 0.0)) {
+    if (gap < -depth) {
       hit = p;
       return true;
     }
@@ -113,9 +119,13 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
       if (!near_body((*bodies_)[b], bodies[b], start_->x[i], x1[i], radius_[i] + drift)) continue;
       Vec3 hit;
       if (!entry(node, body, x1[i], bodies[b], hit)) continue;
-      // Without friction the node goes on along the surface to where it was heading.
+      // Without friction the node goes on along the surface to where it was heading, unless that
+      // lies nearer to another side than to the one that it enters by.
       const Vec3 end = to_body(bodies[b], x1[i]);
-      const bool through = (*bodies_)[b].shape->nearest(end).distance >= radius_[i];
+      const Shape& shape = *(*bodies_)[b].shape;
+      const SurfacePoint there = shape.nearest(end);
+      const bool through =
+          there.distance >= radius_[i] || there.normal.dot(shape.nearest(hit).normal) < kSameSide;
       fresh.push_back(make_contact(node, body, friction_ > 0.0 || through ? hit : end, true));
       contact_of_[i] = 0;
       found = true;
@@ -127,10 +137,25 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
 
 // Displacement along the surface relative to the body over the step, m.
 Vec3 ModifiedMass::slip(const Contact& c, const Vec3& x1) const {
-  const Vec3 carried =
-      to_world(now_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
+  const Vec3 carried = to_world(now_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
   const Vec3 d = x1 - carried;
   return d - c.normal * c.normal.dot(d);
+}
+
+// The whole impulse of the surface on the node over the step, along the normal: of the reaction,
+// and of giving the node the surface's velocity at the end. A node that follows a curved surface
+// leaves an implicit Euler step along the chord, so that the second part carries half of the
+// centripetal force.
+double ModifiedMass::normal_impulse(const Contact& c, const Vec3& x1, const Vec3& reaction) const {
+  const Vec3& v0 = start_->v[c.node];
+  const Vec3 stage =
+      step_->stage_velocity(c.node, start_->x[c.node] + (x1 - start_->x[c.node]) / step_->reach);
+  const Vec3 end = v0 + step_->reach * (stage - v0);
+  const BodyState& free = predicted_[c.body];
+  const Vec3 point = free.position + c.lever;
+  const Vec3 pushed = to_world(now_[c.body], to_body(free, point)) - point;
+  const Vec3 surface = point_velocity((*bodies_)[c.body], free, point) + step_->rate * pushed;
+  return c.normal.dot(step_->reaction_impulse() * reaction + mass_[c.node] * (surface - end));
 }
 
 // Coulomb's law for one contact; true if it changed.
@@ -169,19 +194,19 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
                           const std::vector<Vec3>& reaction, bool) {
   now_ = bodies;
   const bool may_change = ++revisions_ <= kMostRevisions;
-  bool changed = false;
   double largest = 0.0;
   for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
-  const auto pulls = [&](const Contact& c) {
-    return may_change && reaction[c.node].dot(c.normal) < -1e-9 * largest;
-  };
-  for (const Contact& c : contacts_) {
-    if (!pulls(c)) continue;
-    released_[c.node] = 1;
-    changed = true;
-  }
-  std::erase_if(contacts_, pulls);
-  for (Contact& c : contacts_) changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change);
+  largest *= step_->reaction_impulse();
+  const std::size_t count = contacts_.size();
+  std::erase_if(contacts_, [&](const Contact& c) {
+    const bool pulls =
+        may_change && normal_impulse(c, x1[c.node], reaction[c.node]) < -1e-9 * largest;
+    if (pulls) released_[c.node] = 1;
+    return pulls;
+  });
+  bool changed = contacts_.size() != count;
+  for (Contact& c : contacts_)
+    changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change);
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contact_of_[contacts_[k].node] = static_cast<Index>(k);
@@ -213,8 +238,9 @@ std::vector<SolvedContact> ModifiedMass::contacts() const {
   std::vector<SolvedContact> result;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const Contact& c = contacts_[k];
-    result.push_back({c.node, c.body, c.sticks, c.normal,
-                      predicted_[c.body].position + c.lever, constraints_[k].blocked});
+    const BodyState& free = predicted_[c.body];
+    const Vec3 point = to_world(now_[c.body], to_body(free, free.position + c.lever));
+    result.push_back({c.node, c.body, c.sticks, c.normal, point, constraints_[k].blocked});
   }
   return result;
 }

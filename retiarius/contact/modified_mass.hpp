@@ -17,10 +17,11 @@ namespace retiarius {
 // does not jump through a body; segments between nodes are not seen.
 class ModifiedMass final : public ContactResponse {
  public:
-  // radius: of the thread at each node, m.
-  ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius, double friction);
+  // radius: of the thread at each node, m; mass: of each node, kg.
+  ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius,
+               std::vector<double> mass, double friction);
 
-  void begin(const State& start, const std::vector<Vec3>& predicted,
+  void begin(const Step& step, const std::vector<Vec3>& predicted,
              const std::vector<BodyState>& bodies, const std::vector<bool>& held) override;
   bool revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
               const std::vector<Vec3>& reaction, bool full) override;
@@ -30,31 +31,33 @@ class ModifiedMass final : public ContactResponse {
  private:
   struct Contact {
     Index node = kNone, body = kNone;
-    Vec3 normal = Vec3::UnitZ();     // world
-    Vec3 target = Vec3::Zero();      // where the node ends if it sticks, at the predicted pose
-    Vec3 lever = Vec3::Zero();       // from the predicted mass centre to the surface point
+    Vec3 normal = Vec3::UnitZ();  // world
+    Vec3 target = Vec3::Zero();   // where the node ends if it sticks, at the predicted pose
+    Vec3 lever = Vec3::Zero();    // from the predicted mass centre to the node, m
     bool sticks = false;
-    Vec3 friction = Vec3::Zero();    // force on a sliding node, N
-    int changes = 0;                 // of its mode in this step
+    Vec3 friction = Vec3::Zero();  // force on a sliding node, N
+    int changes = 0;               // of its mode in this step
   };
 
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
   bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
   bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) const;
   bool revise_contact(Contact& c, const Vec3& x1, const Vec3& reaction, bool may_change);
+  double normal_impulse(const Contact& c, const Vec3& x1, const Vec3& reaction) const;
   Vec3 slip(const Contact& c, const Vec3& x1) const;
   void rebuild();
 
   const std::vector<Body>* bodies_;
-  std::vector<double> radius_;
+  std::vector<double> radius_, mass_;
   double friction_;
+  const Step* step_ = nullptr;
   const State* start_ = nullptr;
   std::vector<BodyState> predicted_;
   std::vector<BodyState> now_;
   std::vector<bool> held_;
-  std::vector<Contact> contacts_;      // ordered by node
-  std::vector<Index> contact_of_;      // of each node, or kNone
-  std::vector<char> released_;         // in this step
+  std::vector<Contact> contacts_;  // ordered by node
+  std::vector<Index> contact_of_;  // of each node, or kNone
+  std::vector<char> released_;     // in this step
   int revisions_ = 0;
   std::vector<Constraint> constraints_;
 };

@@ -7,6 +7,7 @@
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/state/constraints.hpp"
 #include "retiarius/state/state.hpp"
+#include "retiarius/state/step.hpp"
 
 namespace retiarius {
 
@@ -15,8 +16,10 @@ struct SolvedContact {
   Index node = kNone;
   Index body = kNone;
   bool sticks = false;
-  Vec3 normal = Vec3::UnitZ();   // out of the body
-  Vec3 point = Vec3::Zero();     // of the body's surface, at the step's end, m
+  Vec3 normal = Vec3::UnitZ();  // out of the body
+  // Where body and node push each other at the step's end, m: the node's place, so that the pair
+  // of forces has no moment.
+  Vec3 point = Vec3::Zero();
   Mat3 blocked = Mat3::Zero();
 };
 
@@ -24,9 +27,9 @@ class ContactResponse {
  public:
   virtual ~ContactResponse() = default;
 
-  // Starts a step: where everything is, where nodes and bodies would be at its end without new
+  // Starts a step, which must outlive it: where nodes and bodies would be at its end without new
   // contact. `held`: nodes that prescribed motion takes out of contact.
-  virtual void begin(const State& start, const std::vector<Vec3>& predicted,
+  virtual void begin(const Step& step, const std::vector<Vec3>& predicted,
                      const std::vector<BodyState>& bodies, const std::vector<bool>& held) = 0;
 
   // Revises contacts for the present end positions, bodies and the blocked part of the force on

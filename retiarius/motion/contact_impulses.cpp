@@ -60,7 +60,7 @@ void apply_contact_impulses(const Step& step, const std::vector<Body>& bodies,
                             const std::vector<SolvedContact>& contacts,
                             const std::vector<Vec3>& force, State& now) {
   const State& old = *step.start;
-  const double weight = step.rate * step.reach / step.inertia;
+  const double weight = step.reaction_impulse();
   std::vector<Vec3> impulse(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const SolvedContact& c = contacts[k];

@@ -4,10 +4,14 @@ namespace retiarius {
 
 const char* to_string(Method method) {
   switch (method) {
-    case Method::implicit_euler: return "implicit-euler";
-    case Method::newmark: return "newmark";
-    case Method::midpoint: return "midpoint";
-    case Method::static_solve: return "static";
+    case Method::implicit_euler:
+      return "implicit-euler";
+    case Method::newmark:
+      return "newmark";
+    case Method::midpoint:
+      return "midpoint";
+    case Method::static_solve:
+      return "static";
   }
   return "";
 }

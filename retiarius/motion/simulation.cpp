@@ -67,12 +67,13 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   problem_->bind_laws();
   response_.reset();
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
-    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), contact.friction);
+    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
+                                               contact.friction);
 }
 
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions
-// far from the origin.
-double Simulation::force_floor() const {
+// far from the origin; nor inertia better than the rounding of positions.
+double Simulation::force_floor(const Step& step) const {
   double stiffest = 0.0;
   double shortest = kInfinity;
   for (const Segment& s : network_->segments) {
@@ -81,8 +82,10 @@ double Simulation::force_floor() const {
   }
   double farthest = 0.0;
   for (const Vec3& x : state_.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const double heaviest = *std::max_element(network_->mass.begin(), network_->mass.end());
   const double ulps = std::max(64.0, 4.0 * farthest / shortest);
-  return ulps * std::numeric_limits<double>::epsilon() * stiffest;
+  return std::numeric_limits<double>::epsilon() *
+         (ulps * stiffest + 4.0 * heaviest * step.inertia * farthest);
 }
 
 std::vector<Vec3> Simulation::start_acceleration() {
@@ -130,7 +133,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   start.bodies = free_bodies(h);
   start.contact = response_.get();
   start.tolerance = integrator_.tolerance;
-  start.force_floor = force_floor();
+  start.force_floor = force_floor(step);
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
@@ -153,14 +156,15 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
   std::string failure;
   const double whole = end - state_.time;
   for (; report.halvings <= integrator_.max_halvings; ++report.halvings) {
-    const double part = report.halvings == 0 ? end
-                                             : state_.time + std::ldexp(whole, -report.halvings);
+    const double part =
+        report.halvings == 0 ? end : state_.time + std::ldexp(whole, -report.halvings);
     if (try_step(part, motion, report, failure)) return report;
   }
   const auto [residual, node] = problem_->largest_residual();
   const Vec3 at = node == kNone ? Vec3(Vec3::Zero()) : problem_->stage()[node];
   throw RunError(fmt::format(
-      "the step at time {:.9g} s does not converge, even cut to {:.3g} s: {}; the largest residual, "
+      "the step at time {:.9g} s does not converge, even cut to {:.3g} s: {}; the largest "
+      "residual, "
       "{:.3g} N, is at node {} ({:.6g}, {:.6g}, {:.6g}). Try a smaller integrator.step, more "
       "integrator.max_iterations, or another integrator.method",
       state_.time, std::ldexp(whole, -integrator_.max_halvings), failure, residual, node, at.x(),
@@ -168,8 +172,7 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
 }
 
 // Turns the solved stage into the next state and books what the step exchanged.
-void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
-                        double end) {
+void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed, double end) {
   const State old = state_;
   Step done = step;
   done.start = &old;
@@ -180,7 +183,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   now.bodies = problem_->end_bodies();
   // The velocity from the positions, less what Newton's tolerance left as residual: linear
   // momentum is then kept to round-off whatever the tolerance.
-  const double weight = step.rate * step.reach / step.inertia;
+  const double weight = step.reaction_impulse();
   std::vector<Vec3> residual = g;
   for (const Constraint& c : problem_->constraints())
     residual[c.node] -= c.blocked * residual[c.node];
@@ -222,7 +225,7 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
                                  const State& old) {
   const std::vector<Vec3>& y = problem_->stage();
   const std::vector<Vec3>& g = problem_->gradient();
-  const double weight = step.rate * step.reach / step.inertia;
+  const double weight = step.reaction_impulse();
   for (const Prescribed& p : prescribed) {
     const Index i = p.node;
     const double m = network_->mass[i];
@@ -273,7 +276,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     start.prescribed = &held;
     start.bodies = old.bodies;
     start.tolerance = integrator_.tolerance;
-    start.force_floor = force_floor();
+    start.force_floor = force_floor(step);
     problem_->begin(std::move(start));
     NewtonSettings settings;
     settings.step_tolerance = integrator_.tolerance * length_scale_;
@@ -299,9 +302,10 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     }
     h *= 4.0;
   }
-  throw RunError(fmt::format("the static solve found no equilibrium within {} relaxations: {}. Is "
-                             "the net held (phase.fix) and loaded?",
-                             kMostRelaxations, failure));
+  throw RunError(
+      fmt::format("the static solve found no equilibrium within {} relaxations: {}. Is "
+                  "the net held (phase.fix) and loaded?",
+                  kMostRelaxations, failure));
 }
 
 }  // namespace retiarius

@@ -60,7 +60,7 @@ void StepProblem::begin(Start start) {
   if (start_.contact) {
     std::vector<bool> held(mass_.size(), false);
     for (const Prescribed& p : *start_.prescribed) held[p.node] = true;
-    start_.contact->begin(*step.start, end_positions(), start_.bodies, held);
+    start_.contact->begin(step, end_positions(), start_.bodies, held);
   }
   collect_constraints();
   project_guess();
@@ -150,8 +150,7 @@ double StepProblem::assemble(bool definite) {
 std::vector<Vec6> StepProblem::reduced_body_gradient() const {
   std::vector<Vec6> g = body_gradient_;
   for (const Constraint& c : constraints_) {
-    if (c.body != kNone)
-      g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
+    if (c.body != kNone) g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
   }
   return g;
 }
@@ -228,13 +227,15 @@ bool StepProblem::find_direction() {
   for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
   solver_->solve(dy_);
-  std::fill(db_.begin(), db_.end(), Vec6::Zero());
+  // A body that nothing touches any more goes back to its free motion.
+  for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
   if (!borders_.empty()) solve_bordered(body_gradient);
   for (const Constraint& c : constraints_) {
     dy_[c.node] -= c.blocked * dy_[c.node];
     if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
   }
-  return dy_.empty() || std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
+  return dy_.empty() ||
+         std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
 
 // Schur complement of the bodies: (D - B^T A^-1 B) db = -(g_b) - B^T dy.
@@ -299,10 +300,10 @@ std::pair<double, Index> StepProblem::largest_residual() const {
   for (std::size_t i = 0; i < gradient_.size(); ++i) {
     Vec3 r = gradient_[i];
     if (constraint_of_[i] != kNone) r -= constraints_[constraint_of_[i]].blocked * r;
-    if (!(r.squaredNorm() <= largest)) {
-      largest = r.squaredNorm();
-      where = static_cast<Index>(i);
-    }
+    if (!r.allFinite()) return {kInfinity, static_cast<Index>(i)};
+    if (r.squaredNorm() <= largest) continue;
+    largest = r.squaredNorm();
+    where = static_cast<Index>(i);
   }
   return {std::sqrt(largest), where};
 }

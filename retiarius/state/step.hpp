@@ -35,7 +35,7 @@ struct Step {
   }
   // Impulse over the whole step of a force that acts at the stage as a contact reaction does
   // (fully implicitly), N s per N.
-  double reaction_impulse() const { return reach / (inertia * h); }
+  double reaction_impulse() const { return rate * reach / inertia; }
 };
 
 }  // namespace retiarius

@@ -72,6 +72,18 @@ TEST(Build, CenterIsTheKnotNearestTheCentroid) {
   EXPECT_EQ(odd.design[odd.center], Vec3(-0.5, -0.5, 0.0));
 }
 
+TEST(Build, RoundingDoesNotDecideBetweenCenters) {
+  for (int n = 1; n <= 40; ++n) {
+    for (const NetSpec& spec :
+         {net_of(Pattern::triangle, 1.0, 1.0 / n), net_of(Pattern::square, 1.0, 1.0 / n)}) {
+      const Network net = build_network(spec);
+      const double distance = net.design[net.center].norm();
+      for (Index i = 0; i < net.center; ++i) EXPECT_GT(net.design[i].norm(), distance + 1e-6);
+      for (const Vec3& x : net.design) EXPECT_GT(x.norm(), distance - 1e-12);
+    }
+  }
+}
+
 TEST(Build, KnotsComeFirstThenInnerNodesPieceByPiece) {
   const Network net = build_network(net_of(Pattern::hexagon, 1.0, 0.5, 3));
   for (std::size_t i = 0; i < net.knots.size(); ++i) EXPECT_EQ(net.knots[i], Index(i));

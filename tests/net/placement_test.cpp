@@ -27,6 +27,17 @@ TEST(Placement, ScaleMovesNodesButKeepsRestLengths) {
   EXPECT_DOUBLE_EQ(net.segments[0].rest_length, 0.05);
 }
 
+TEST(Placement, HeightsOfAFileAreNotScaled) {
+  NetSpec spec = file_of(data_file("dome.net"));
+  spec.scale = 0.5;
+  const Network net = build_network(spec);
+  EXPECT_EQ(net.initial[1], Vec3(0, 0.5, 0));
+  EXPECT_EQ(net.initial[3], Vec3(0, 0, 0.5));
+  spec.zigzag = true;
+  EXPECT_EQ(error_of<InputError>([&] { build_network(spec); }),
+            "net.zigzag = true: the net as designed must be flat");
+}
+
 TEST(Placement, ZigzagOfTheStiffCapture) {
   NetSpec spec = net_of(Pattern::square, 5.0, 0.2, 2);
   spec.scale = 0.25;
