@@ -11,11 +11,13 @@ namespace {
 // float at zero and must not be caught again by round-off.
 constexpr double kEntryDepth = 1e-3;
 // Sliding friction is iterated with the normal reaction until it holds to this share.
-constexpr double kFrictionTolerance = 1e-4;
+constexpr double kFrictionTolerance = 1e-3;
+// Slips slower than this, m/s, are rest: below it friction is proportionately less in the step,
+// and the node sticks from the next one on.
+constexpr double kSlowSlip = 1e-3;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostRevisions = 30;
-constexpr int kMostModeChanges = 4;
 constexpr int kMostPathSteps = 400;
 
 bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
@@ -72,12 +74,8 @@ void ModifiedMass::begin(const Step& step, const std::vector<Vec3>& predicted,
                                 : to_body(bodies[t.body], predicted[t.node]);
     contacts_.push_back(make_contact(t.node, t.body, where, t.sticks));
     contact_of_[t.node] = static_cast<Index>(contacts_.size()) - 1;
-    if (!t.sticks && friction_ > 0.0) {
-      const Vec3 slide = slip(contacts_.back(), predicted[t.node]);
-      const double reaction = std::max(0.0, t.reaction.dot(contacts_.back().normal));
-      if (slide.norm() > 0.0)
-        contacts_.back().friction = -friction_ * reaction * slide.normalized();
-    }
+    if (!t.sticks)
+      contacts_.back().limit = friction_ * std::max(0.0, t.reaction.dot(contacts_.back().normal));
   }
   find_entries(predicted, bodies);
   rebuild();
@@ -135,11 +133,9 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
   return found;
 }
 
-// Displacement along the surface relative to the body over the step, m.
-Vec3 ModifiedMass::slip(const Contact& c, const Vec3& x1) const {
-  const Vec3 carried = to_world(now_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
-  const Vec3 d = x1 - carried;
-  return d - c.normal * c.normal.dot(d);
+// Where the step would take the node if it stuck to where it started, at a pose of the body.
+Vec3 ModifiedMass::carried(const Contact& c, const BodyState& pose) const {
+  return to_world(pose, to_body(start_->bodies[c.body], start_->x[c.node]));
 }
 
 // The whole impulse of the surface on the node over the step, along the normal: of the reaction,
@@ -158,41 +154,33 @@ double ModifiedMass::normal_impulse(const Contact& c, const Vec3& x1, const Vec3
   return c.normal.dot(step_->reaction_impulse() * reaction + mass_[c.node] * (surface - end));
 }
 
-// Coulomb's law for one contact; true if it changed.
-bool ModifiedMass::revise_contact(Contact& c, const Vec3& x1, const Vec3& reaction,
-                                  bool may_change) {
-  if (friction_ == 0.0) return false;
-  const double normal = std::max(0.0, reaction.dot(c.normal));
-  const double limit = friction_ * normal;
-  const Vec3 along = reaction - c.normal * c.normal.dot(reaction);
+// Coulomb's law for one contact; true if it changed. Within a step a node only goes from sticking to
+// sliding; a node that ends a step at rest sticks in the next one. So no contact alternates.
+bool ModifiedMass::revise_contact(Contact& c, const Vec3& reaction, bool may_change) const {
+  if (friction_ == 0.0 || !may_change) return false;
+  const double limit = friction_ * std::max(0.0, reaction.dot(c.normal));
   if (c.sticks) {
-    if (along.norm() <= limit * (1.0 + 1e-9) || !may_change) return false;
+    const Vec3 along = reaction - c.normal * c.normal.dot(reaction);
+    if (along.norm() <= limit * (1.0 + 1e-9)) return false;
     c.sticks = false;
-    ++c.changes;
-    c.friction = limit * along.normalized();
+    c.limit = limit;
     return true;
   }
-  const Vec3 slide = slip(c, x1);
-  if (slide.dot(c.friction) > 0.0 && may_change && c.changes < kMostModeChanges) {
-    c.sticks = true;  // it would be dragged along by friction: it sticks where it was
-    ++c.changes;
-    c.target = to_world(predicted_[c.body], to_body(start_->bodies[c.body], start_->x[c.node]));
-    const SurfacePoint p = (*bodies_)[c.body].shape->nearest(to_body(predicted_[c.body], c.target));
-    c.target += (radius_[c.node] - p.distance) * (predicted_[c.body].attitude * p.normal);
-    c.friction.setZero();
-    return true;
-  }
-  const double length = slide.norm();
-  const Vec3 direction = length > 0.0 ? Vec3(-slide / length) : c.friction.normalized();
-  const Vec3 wanted = limit * direction;
-  if (!may_change || (wanted - c.friction).norm() <= kFrictionTolerance * limit) return false;
-  c.friction = wanted;
+  if (std::abs(limit - c.limit) <= kFrictionTolerance * std::max(limit, c.limit)) return false;
+  c.limit = limit;
   return true;
+}
+
+// Whether a sliding node has come to rest on the body.
+bool ModifiedMass::at_rest(const Contact& c) const {
+  const Vec3 d = end_[c.node] - carried(c, now_[c.body]);
+  return (d - c.normal * c.normal.dot(d)).norm() <= kSlowSlip * step_->h;
 }
 
 bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
                           const std::vector<Vec3>& reaction, bool) {
   now_ = bodies;
+  end_ = x1;
   const bool may_change = ++revisions_ <= kMostRevisions;
   double largest = 0.0;
   for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
@@ -206,7 +194,7 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
   });
   bool changed = contacts_.size() != count;
   for (Contact& c : contacts_)
-    changed |= revise_contact(c, x1[c.node], reaction[c.node], may_change);
+    changed |= revise_contact(c, reaction[c.node], may_change);
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contact_of_[contacts_[k].node] = static_cast<Index>(k);
@@ -229,7 +217,11 @@ void ModifiedMass::rebuild() {
     constraint.target = c.target;
     constraint.body = (*bodies_)[c.body].fixed ? kNone : c.body;
     constraint.lever = c.lever;
-    constraint.force = c.sticks ? Vec3(Vec3::Zero()) : c.friction;
+    if (!c.sticks && friction_ > 0.0) {
+      constraint.limit = c.limit;
+      constraint.carried = carried(c, predicted_[c.body]);
+      constraint.smoothing = kSlowSlip * step_->h;
+    }
     constraints_.push_back(constraint);
   }
 }
@@ -240,7 +232,8 @@ std::vector<SolvedContact> ModifiedMass::contacts() const {
     const Contact& c = contacts_[k];
     const BodyState& free = predicted_[c.body];
     const Vec3 point = to_world(now_[c.body], to_body(free, free.position + c.lever));
-    result.push_back({c.node, c.body, c.sticks, c.normal, point, constraints_[k].blocked});
+    const bool sticks = c.sticks || (friction_ > 0.0 && at_rest(c));
+    result.push_back({c.node, c.body, sticks, c.normal, point, constraints_[k].blocked});
   }
   return result;
 }

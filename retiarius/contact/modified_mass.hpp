@@ -35,16 +35,16 @@ class ModifiedMass final : public ContactResponse {
     Vec3 target = Vec3::Zero();   // where the node ends if it sticks, at the predicted pose
     Vec3 lever = Vec3::Zero();    // from the predicted mass centre to the node, m
     bool sticks = false;
-    Vec3 friction = Vec3::Zero();  // force on a sliding node, N
-    int changes = 0;               // of its mode in this step
+    double limit = 0.0;            // friction on a sliding node at most, N
   };
 
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
   bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
   bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) const;
-  bool revise_contact(Contact& c, const Vec3& x1, const Vec3& reaction, bool may_change);
+  bool revise_contact(Contact& c, const Vec3& reaction, bool may_change) const;
+  bool at_rest(const Contact& c) const;
+  Vec3 carried(const Contact& c, const BodyState& pose) const;
   double normal_impulse(const Contact& c, const Vec3& x1, const Vec3& reaction) const;
-  Vec3 slip(const Contact& c, const Vec3& x1) const;
   void rebuild();
 
   const std::vector<Body>* bodies_;
@@ -53,7 +53,8 @@ class ModifiedMass final : public ContactResponse {
   const Step* step_ = nullptr;
   const State* start_ = nullptr;
   std::vector<BodyState> predicted_;
-  std::vector<BodyState> now_;
+  std::vector<BodyState> now_;  // at the last revision
+  std::vector<Vec3> end_;       // of the nodes, then
   std::vector<bool> held_;
   std::vector<Contact> contacts_;  // ordered by node
   std::vector<Index> contact_of_;  // of each node, or kNone

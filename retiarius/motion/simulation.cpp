@@ -199,7 +199,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     const std::vector<Constraint>& constraints = response_->constraints();
     std::vector<Vec3> force;
     for (std::size_t k = 0; k < contacts.size(); ++k)
-      force.push_back(contacts[k].blocked * g[contacts[k].node] + constraints[k].force);
+      force.push_back(contacts[k].blocked * g[contacts[k].node] + problem_->friction_force(constraints[k]));
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
   }
   Exchange exchange;

@@ -113,8 +113,7 @@ double StepProblem::potential() {
   value *= 0.5 * step.inertia;
   for (std::size_t b = 0; b < b_.size(); ++b) value += 0.5 * b_[b].dot(body_mass_[b] * b_[b]);
   for (const Constraint& c : constraints_) {
-    value -= c.force.dot(y_[c.node] - step.start->x[c.node]);
-    if (c.body != kNone) value += c.force.dot(lever_map(c) * b_[c.body]);
+    if (c.limit > 0.0) value += c.limit / step.reach * std::hypot(slip(c).norm(), c.smoothing);
   }
   for (const auto& law : *laws_) value += law->potential(step, y_);
   return value;
@@ -140,10 +139,32 @@ double StepProblem::assemble(bool definite) {
   largest_force_ = std::sqrt(largest);
   for (std::size_t b = 0; b < b_.size(); ++b) body_gradient_[b] = body_mass_[b] * b_[b];
   for (const Constraint& c : constraints_) {
-    gradient_[c.node] -= c.force;
-    if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * c.force;
+    if (c.limit <= 0.0) continue;
+    const Vec3 u = slip(c);
+    const double size = std::hypot(u.norm(), c.smoothing);
+    const Vec3 force = -c.limit / size * u;
+    gradient_[c.node] -= force;
+    // The body's share of the second derivatives is left out: it is heavy against one node.
+    matrix_.diagonal[c.node] += (c.limit * step.reach / size) *
+                                (Mat3::Identity() - c.blocked - u * u.transpose() / (size * size));
+    if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * force;
   }
   return potential();
+}
+
+// Displacement of a sliding node along the surface, relative to the body, over the step, m.
+Vec3 StepProblem::slip(const Constraint& c) const {
+  const Step& step = *start_.step;
+  const Vec3& x0 = step.start->x[c.node];
+  Vec3 u = x0 + step.reach * (y_[c.node] - x0) - c.carried;
+  if (c.body != kNone) u -= step.reach * (lever_map(c) * b_[c.body]);
+  return u - c.blocked * u;
+}
+
+Vec3 StepProblem::friction_force(const Constraint& c) const {
+  if (c.limit <= 0.0) return Vec3::Zero();
+  const Vec3 u = slip(c);
+  return -c.limit / std::hypot(u.norm(), c.smoothing) * u;
 }
 
 // The gradient with respect to each body's unknowns, with the nodes that follow it.

@@ -63,6 +63,8 @@ class StepProblem final : public NewtonProblem {
   // tolerance left, N.
   const std::vector<Vec3>& gradient() const { return gradient_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
+  // Friction on a sliding node at the present iterate, N.
+  Vec3 friction_force(const Constraint& c) const;
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
@@ -81,6 +83,7 @@ class StepProblem final : public NewtonProblem {
   void solve_bordered(const std::vector<Vec6>& body_gradient);
   std::vector<Vec6> reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
+  Vec3 slip(const Constraint& c) const;
 
   std::vector<double> mass_;
   const std::vector<Body>* bodies_;

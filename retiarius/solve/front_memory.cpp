@@ -62,6 +62,31 @@ std::size_t update_size(const Front& front) {
   return static_cast<std::size_t>(front.update_ld) * static_cast<std::size_t>(front.rows_below());
 }
 
+void take_shared(Symbolic& symbolic, Front& front) {
+  front.update_shared = true;
+  front.task_update = symbolic.shared_size;
+  symbolic.shared_size += update_size(front);
+}
+
+void place_task_updates(Symbolic& symbolic, FrontTask& task) {
+  RangeStore store;
+  for (Index f = task.begin; f < task.end; ++f) {
+    Front& front = symbolic.fronts[f];
+    if (f + 1 == task.end) {
+      take_shared(symbolic, front);
+    } else {
+      front.task_update = store.take(update_size(front));
+    }
+    for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
+      const Front& child = symbolic.fronts[symbolic.children[c]];
+      store.give(child.task_update, update_size(child));
+    }
+  }
+  task.memory = store.end();
+  task.offset = symbolic.tasks_size;
+  symbolic.tasks_size += task.memory;
+}
+
 }  // namespace
 
 void assign_tasks(Symbolic& symbolic) {
@@ -94,31 +119,17 @@ void assign_tasks(Symbolic& symbolic) {
 
 void place_updates(Symbolic& symbolic) {
   std::vector<Front>& fronts = symbolic.fronts;
-  const auto take_shared = [&symbolic](Front& front) {
-    front.update_shared = true;
-    front.update = symbolic.shared_size;
-    symbolic.shared_size += update_size(front);
-  };
-  for (FrontTask& task : symbolic.tasks) {
-    RangeStore store;
-    for (Index f = task.begin; f < task.end; ++f) {
-      Front& front = fronts[f];
-      if (f + 1 == task.end) {
-        take_shared(front);
-      } else {
-        front.update = store.take(update_size(front));
-      }
-      for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
-        const Front& child = fronts[symbolic.children[c]];
-        store.give(child.update, update_size(child));
-      }
+  RangeStore all;
+  for (Front& front : fronts) {
+    front.update = all.take(update_size(front));
+    for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
+      const Front& child = fronts[symbolic.children[c]];
+      all.give(child.update, update_size(child));
     }
-    task.memory = store.end();
-    task.offset = symbolic.all_tasks;
-    symbolic.all_tasks += task.memory;
-    symbolic.largest_task = std::max(symbolic.largest_task, task.memory);
   }
-  for (const Index f : symbolic.top) take_shared(fronts[f]);
+  symbolic.update_size = all.end();
+  for (FrontTask& task : symbolic.tasks) place_task_updates(symbolic, task);
+  for (const Index f : symbolic.top) take_shared(symbolic, fronts[f]);
 }
 
 }  // namespace retiarius

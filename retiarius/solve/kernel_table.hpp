@@ -16,7 +16,7 @@ struct Run {
 struct Extension {
   const double* child;
   long child_ld;
-  int blocks;          // block rows of the child's update
+  int begin, end;      // block columns of the child's update to add
   const int* columns;  // for each, its block position in the parent's front
   const Run* runs;     // `to` counts rows of the parent's panel
   int run_count;
@@ -33,10 +33,10 @@ struct KernelTable {
   // reciprocals. False when a pivot is not positive and finite.
   bool (*factor_panel)(double* panel, int ld, int k);
 
-  // Rows [row_begin, row_end) of update -= below below^T, lower triangle; `fresh` when the update
-  // holds nothing yet. `below` is the panel's first row under the pivots.
+  // Rows [row_begin, row_end) of update = -below below^T, lower triangle in tiles: at least from
+  // the first row of each 3x3 diagonal block on. `below` is the panel's first row under the pivots.
   void (*update)(const double* below, int ld, int k, double* update, int update_ld, int u,
-                 int row_begin, int row_end, bool fresh);
+                 int row_begin, int row_end);
 
   void (*extend_add)(const Extension& extension);
 

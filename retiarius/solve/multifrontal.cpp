@@ -7,43 +7,22 @@
 #include <atomic>
 #include <cstring>
 #include <memory>
-#include <new>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/parallel.hpp"
+#include "retiarius/solve/aligned_array.hpp"
+#include "retiarius/solve/flush_denormals.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/symbolic.hpp"
 
 namespace retiarius {
 
 namespace {
-
-// Scalars aligned to cache lines, uninitialised.
-class AlignedArray {
- public:
-  void resize(std::size_t size) {
-    if (size == size_) return;
-    data_.reset();
-    size_ = 0;
-    data_.reset(static_cast<double*>(::operator new[](size * sizeof(double), kAlignment)));
-    size_ = size;
-  }
-  double* data() { return data_.get(); }
-  const double* data() const { return data_.get(); }
-  std::size_t size() const { return size_; }
-
- private:
-  static constexpr std::align_val_t kAlignment{64};
-  struct Free {
-    void operator()(double* p) const { ::operator delete[](p, kAlignment); }
-  };
-  std::unique_ptr<double[], Free> data_;
-  std::size_t size_ = 0;
-};
 
 class MultifrontalSolver : public LinearSolver {
  public:
@@ -57,29 +36,34 @@ class MultifrontalSolver : public LinearSolver {
   double factor_flops() const override { return symbolic_.flops; }
 
  private:
+  bool parallel() const { return threads() > 1 && symbolic_.tasks.size() > 1; }
+  void reserve_updates();
   bool factor_serial();
   bool factor_parallel();
   void factor_above(Index f);
   void factor_task(Index task);
   bool factor_front(const Front& front, double* memory, bool spread);
   void assemble(const Front& front, double* panel) const;
-  void add_children(const Front& front, double* panel, double* update, double* memory);
-  void update_parent(const Front& front, const double* panel, double* update, bool fresh,
-                     bool spread) const;
+  enum class Part { panel, update };
+  void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
+  void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
 
+  // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
-    return (front.update_shared ? shared_.data() : memory) + front.update;
+    if (!side_by_side_) return serial_.data() + front.update;
+    return (front.update_shared ? shared_.data() : memory) + front.task_update;
   }
 
   Symbolic symbolic_;
   Index pairs_ = 0;
   bool analysed_ = false, factored_ = false;
-  AlignedArray factor_, shared_, memory_;
+  AlignedArray factor_, serial_, shared_, tasks_;
   mutable AlignedArray front_vector_;
   mutable std::vector<Vec3> permuted_;
   const BlockMatrix* matrix_ = nullptr;  // while factor() runs
   const kernels::KernelTable* kernels_ = nullptr;
+  bool side_by_side_ = false;  // by tasks
   std::atomic<bool> failed_ = false;
 };
 
@@ -88,8 +72,8 @@ void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   symbolic_ = analyse_fronts(pattern);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
-  shared_.resize(symbolic_.shared_size);
-  memory_.resize(threads() > 1 ? symbolic_.all_tasks : symbolic_.largest_task);
+  for (AlignedArray* memory : {&serial_, &shared_, &tasks_}) memory->resize(0);
+  reserve_updates();
   front_vector_.resize(static_cast<std::size_t>(symbolic_.largest_ld));
   permuted_.resize(symbolic_.order.size());
   analysed_ = true;
@@ -106,20 +90,32 @@ bool MultifrontalSolver::factor(const BlockMatrix& matrix) {
   }
   matrix_ = &matrix;
   kernels_ = &kernels::active();
-  factored_ = threads() > 1 && symbolic_.tasks.size() > 1 ? factor_parallel() : factor_serial();
+  reserve_updates();
+  side_by_side_ = parallel();
+  factored_ = side_by_side_ ? factor_parallel() : factor_serial();
   matrix_ = nullptr;
   return factored_;
 }
 
+// Does nothing when the memory is there already.
+void MultifrontalSolver::reserve_updates() {
+  if (parallel()) {
+    shared_.resize(symbolic_.shared_size);
+    tasks_.resize(symbolic_.tasks_size);
+  } else {
+    serial_.resize(symbolic_.update_size);
+  }
+}
+
 bool MultifrontalSolver::factor_serial() {
+  const FlushDenormals flush;
   for (const Front& front : symbolic_.fronts) {
-    if (!factor_front(front, memory_.data(), false)) return false;
+    if (!factor_front(front, nullptr, false)) return false;
   }
   return true;
 }
 
 bool MultifrontalSolver::factor_parallel() {
-  memory_.resize(std::max(memory_.size(), symbolic_.all_tasks));
   failed_ = false;
   tbb::task_group group;
   for (Index f = 0; f < static_cast<Index>(symbolic_.fronts.size()); ++f) {
@@ -140,13 +136,15 @@ void MultifrontalSolver::factor_above(Index f) {
     group.run([this, child] { factor_above(child); });
   }
   group.wait();
-  if (!failed_ && !factor_front(front, nullptr, true)) failed_ = true;
+  const FlushDenormals flush;
+  if (!failed_ && !factor_front(front, tasks_.data(), true)) failed_ = true;
 }
 
 void MultifrontalSolver::factor_task(Index t) {
+  const FlushDenormals flush;
   const FrontTask& task = symbolic_.tasks[t];
   for (Index f = task.begin; f < task.end && !failed_; ++f) {
-    if (!factor_front(symbolic_.fronts[f], memory_.data() + task.offset, false)) failed_ = true;
+    if (!factor_front(symbolic_.fronts[f], tasks_.data() + task.offset, false)) failed_ = true;
   }
 }
 
@@ -154,10 +152,13 @@ bool MultifrontalSolver::factor_front(const Front& front, double* memory, bool s
   double* panel = factor_.data() + front.panel;
   double* update = update_of(front, memory);
   assemble(front, panel);
-  const bool leaf = front.child_begin == front.child_end;
-  if (!leaf) add_children(front, panel, update, memory);
+  // The children's parts for the panel come first; those for the update follow its own product,
+  // which then need not read what it writes.
+  add_children(front, panel, update, memory, Part::panel);
   if (!kernels_->factor_panel(panel, front.ld, front.pivots())) return false;
-  if (front.below > 0) update_parent(front, panel, update, leaf, spread);
+  if (front.below == 0) return true;
+  make_update(front, panel, update, spread);
+  add_children(front, panel, update, memory, Part::update);
   return true;
 }
 
@@ -188,17 +189,12 @@ void MultifrontalSolver::assemble(const Front& front, double* panel) const {
 }
 
 void MultifrontalSolver::add_children(const Front& front, double* panel, double* update,
-                                      double* memory) {
-  const auto ld = static_cast<std::size_t>(front.update_ld);
-  // From the first row of the column's 3x3 diagonal block, rounded down to whole vectors.
-  for (int c = 0; c < front.rows_below(); ++c) {
-    const int block_row = c - c % 3;
-    const auto top = static_cast<std::size_t>(block_row - block_row % kernels::kPadding);
-    std::memset(update + static_cast<std::size_t>(c) * ld + top, 0, sizeof(double) * (ld - top));
-  }
+                                      double* memory, Part part) {
   for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
     const Front& child = symbolic_.fronts[symbolic_.children[c]];
-    kernels_->extend_add({update_of(child, memory), child.update_ld, child.below,
+    const Index begin = part == Part::panel ? 0 : child.into_panel;
+    const Index end = part == Part::panel ? child.into_panel : child.below;
+    kernels_->extend_add({update_of(child, memory), child.update_ld, begin, end,
                           symbolic_.targets.data() + child.rows,
                           symbolic_.runs.data() + child.run_begin,
                           static_cast<int>(child.run_end - child.run_begin), panel, front.ld,
@@ -206,19 +202,22 @@ void MultifrontalSolver::add_children(const Front& front, double* panel, double*
   }
 }
 
-void MultifrontalSolver::update_parent(const Front& front, const double* panel, double* update,
-                                       bool fresh, bool spread) const {
+void MultifrontalSolver::make_update(const Front& front, const double* panel, double* update,
+                                     bool spread) const {
   constexpr int kStrip = 96;      // rows; a multiple of every kernel's tile
   constexpr double kLarge = 1e6;  // products, from which on sharing the work pays
   const int u = front.rows_below();
   const double* below = panel + front.pivot_rows;
   const auto rows = [&](int begin, int end) {
-    kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end,
-                     fresh);
+    kernels_->update(below, front.ld, front.pivots(), update, front.update_ld, u, begin, end);
   };
   if (!spread || 0.5 * front.pivots() * u * u < kLarge) return rows(0, front.update_ld);
-  tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {
-    rows(strip * kStrip, std::min(front.update_ld, (strip + 1) * kStrip));
+  // Isolated, lest the waiting thread takes up other work in its present mode.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(0, (front.update_ld + kStrip - 1) / kStrip, [&](int strip) {
+      const FlushDenormals flush;
+      rows(strip * kStrip, std::min(front.update_ld, (strip + 1) * kStrip));
+    });
   });
 }
 
@@ -233,6 +232,7 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
 }
 
 void MultifrontalSolver::solve_one(Vec3* x) const {
+  const FlushDenormals flush;
   for (std::size_t k = 0; k < permuted_.size(); ++k) permuted_[k] = x[symbolic_.order[k]];
   double* const w = front_vector_.data();
   double* const all = permuted_.empty() ? nullptr : permuted_.front().data();

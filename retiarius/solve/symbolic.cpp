@@ -109,6 +109,7 @@ void make_runs(Symbolic& symbolic) {
       const Front& parent = symbolic.fronts[front.parent];
       const int target = block_position(symbolic, parent, symbolic.rows[front.rows + b]);
       symbolic.targets[front.rows + b] = target;
+      if (target < parent.columns) ++front.into_panel;
       const int row = scalar_row(parent, target);
       if (b > 0 && symbolic.runs.back().to + symbolic.runs.back().length == row) {
         symbolic.runs.back().length += 3;
@@ -178,7 +179,7 @@ Symbolic analyse_fronts(const BlockPattern& pattern, const std::vector<Index>& o
 
 Symbolic analyse_fronts(const BlockPattern& pattern) {
   constexpr Index kSmall = 1500;  // blocks up to which minimum degree may win
-  constexpr int kSeeds = 4;       // the spread between seeds is some ten per cent
+  constexpr int kSeeds = 3;       // the spread between seeds is a few per cent
   const Graph graph = block_graph(pattern);
   EliminationTree best;
   double lowest = std::numeric_limits<double>::infinity();

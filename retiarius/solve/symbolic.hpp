@@ -25,11 +25,13 @@ struct Front {
   Index task = kNone;                          // the subtree it belongs to; kNone near the root
   std::size_t child_begin = 0, child_end = 0;  // in Symbolic::children
   std::size_t rows = 0;                        // in Symbolic::rows and ::targets
+  Index into_panel = 0;                        // so many of `below` are pivots of the parent
   std::size_t run_begin = 0, run_end = 0;      // in Symbolic::runs
   std::size_t straight = 0, transposed = 0, copies_end = 0;  // in Symbolic::copies
   std::size_t panel = 0;                                     // in the factor, in scalars
-  std::size_t update = 0;      // in the memory of its task, or in the shared memory
-  bool update_shared = false;  // outlives its task
+  std::size_t update = 0;       // in the memory of a factorisation by one thread
+  std::size_t task_update = 0;  // by several: in the memory of its task, or in the shared memory
+  bool update_shared = false;   // outlives its task
   int ld = 0, pivot_rows = 0, update_ld = 0;
 
   int pivots() const { return 3 * columns; }
@@ -40,7 +42,7 @@ struct Front {
 struct FrontTask {
   Index begin = 0, end = 0;
   std::size_t memory = 0;  // scalars for the updates within
-  std::size_t offset = 0;  // of its memory when every task has its own
+  std::size_t offset = 0;  // of its memory in that of all tasks
 };
 
 struct Symbolic {
@@ -52,11 +54,11 @@ struct Symbolic {
   std::vector<kernels::Run> runs;
   std::vector<BlockCopy> copies;
   std::vector<FrontTask> tasks;
-  std::vector<Index> top;        // fronts outside every task, in postorder
-  std::size_t factor_size = 0;   // scalars, padding included
-  std::size_t shared_size = 0;   // of updates that outlive their task
-  std::size_t largest_task = 0;  // memory
-  std::size_t all_tasks = 0;     // memory
+  std::vector<Index> top;       // fronts outside every task, in postorder
+  std::size_t factor_size = 0;  // scalars, padding included
+  std::size_t update_size = 0;  // scalars for updates with one thread
+  std::size_t shared_size = 0;  // with several: for updates that outlive their task
+  std::size_t tasks_size = 0;   // and for those within tasks, all together
   int largest_ld = 0;
   double entries = 0.0, flops = 0.0;  // of the factor without explicit zeros
 };

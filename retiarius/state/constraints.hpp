@@ -15,7 +15,12 @@ struct Constraint {
   Vec3 target = Vec3::Zero();        // end position; only its blocked part counts, m
   Index body = kNone;                // free body that the target moves with
   Vec3 lever = Vec3::Zero();         // from the body's predicted mass centre to the point, m
-  Vec3 force = Vec3::Zero();         // given force on the node (sliding friction), N
+  // Friction of a node that slides along the directions that are not blocked: at most `limit` (N)
+  // against its slip relative to `carried`, the place that moves with the body; slips below
+  // `smoothing` (m) get proportionately less, so that the force is smooth.
+  double limit = 0.0;
+  Vec3 carried = Vec3::Zero();
+  double smoothing = 0.0;
 };
 
 // Nodes whose motion is prescribed over a step, with position and velocity at its end.

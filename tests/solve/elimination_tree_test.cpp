@@ -37,6 +37,7 @@ std::vector<std::set<Index>> eliminate(const Graph& graph, const std::vector<Ind
 
 TEST(EliminationTree, MatchesEliminationByHand) {
   for (const auto& [name, pattern] : test::all_patterns()) {
+    if (pattern.blocks() > 500) continue;
     const Graph graph = block_graph(pattern);
     std::vector<Index> order(static_cast<std::size_t>(graph.size()));
     std::iota(order.begin(), order.end(), 0);
