@@ -16,7 +16,8 @@ void add_docs_command(CLI::App& app) {
       ->required()
       ->type_name("")
       ->check(quiet(CLI::IsMember({"mission-file"})));
-  command->callback([] { print(mission_file_markdown()); });
+  // The option refers to `page`, which must live as long.
+  command->callback([page] { print(mission_file_markdown()); });
 }
 
 }  // namespace retiarius::program

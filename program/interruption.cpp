@@ -37,9 +37,12 @@ const std::atomic<bool>& catch_interruptions() {
   handle(SIGINT, SA_RESTART | static_cast<int>(SA_RESETHAND));
   handle(SIGTERM, SA_RESTART);
   handle(SIGUSR1, SA_RESTART);
+  return stop_requested;
+}
+
+void make_write_failures_errors() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  return stop_requested;
 }
 
 }  // namespace retiarius::program

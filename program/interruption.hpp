@@ -6,8 +6,11 @@
 namespace retiarius::program {
 
 // From now on SIGINT, SIGTERM and SIGUSR1 set the flag that is returned, instead of ending the
-// process; a second SIGINT ends it at once. A pipe that nobody reads any more and a limit on the
-// size of files do not end it: the write fails, and the run ends in good order.
+// process; a second SIGINT ends it at once.
 const std::atomic<bool>& catch_interruptions();
+
+// From now on a pipe that nobody reads any more and a limit on the size of files do not end the
+// process: the write fails, and a run comes to its end in good order.
+void make_write_failures_errors();
 
 }  // namespace retiarius::program

@@ -71,6 +71,7 @@ void tell_outcome(const RunArguments& arguments, const Mission& mission, const R
 }
 
 ExitCode run(const RunArguments& arguments) {
+  make_write_failures_errors();
   arguments.computing.apply();
   const Mission mission = arguments.mission.read();
   check_memory(estimate(mission));

@@ -53,7 +53,7 @@ TEST(BadInput, MissionThatIsNoFile) {
 
 TEST(BadInput, ImpossibleValues) {
   expect_mission_refused(replaced(small_mission(), "density = 1000.0", "density = -1000.0"),
-                         HasSubstr("m.toml:12:1: net.thread.density = -1000"));
+                         HasSubstr("m.toml:11:11: net.thread.density = -1000"));
   expect_mission_refused(replaced(small_mission(), "radius = 0.01", "radius = 0.0"),
                          HasSubstr("net.thread.radius = 0"));
   expect_mission_refused(replaced(small_mission(), "radius", "raduis"),
@@ -67,7 +67,8 @@ TEST(BadInput, MeshThatIsNotClosed) {
   folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
   folder.write("m.toml", small_mission() +
                              "\n[target]\nshape = \"mesh\"\nfile = \"open.obj\"\n"
-                             "mass = 1.0\nposition = [0.0, 0.0, 5.0]\n");
+                             "mass = 1.0\nposition = [0.0, 0.0, 5.0]\n"
+                             "[contact]\nmethod = \"modified-mass\"\n");
   for (const char* command : {"run", "validate", "info"})
     expect_refused(folder, {command, "m.toml"}, AllOf(HasSubstr("open.obj"), HasSubstr("closed")));
 }

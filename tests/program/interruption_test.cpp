@@ -53,13 +53,13 @@ TEST_P(Interruption, KeepsWhatWasComputed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, ::testing::Values(SIGINT, SIGTERM, SIGUSR1),
-                         [](const auto& info) {
-                           return info.param == SIGINT    ? "SIGINT"
-                                  : info.param == SIGTERM ? "SIGTERM"
-                                                          : "SIGUSR1";
+                         [](const auto& instance) {
+                           return instance.param == SIGINT    ? "SIGINT"
+                                  : instance.param == SIGTERM ? "SIGTERM"
+                                                              : "SIGUSR1";
                          });
 
-TEST(Interruption, KilledRunLeavesReadableFiles) {
+TEST(Killing, LeavesReadableFiles) {
   const WorkFolder folder;
   folder.write("m.toml", endless_mission());
   Process process({"run", "m.toml"}, folder.path());

@@ -126,12 +126,13 @@ TEST(Run, FindsTheNetworkFileBesideTheMission) {
   folder.write("sub/net.txt",
                "node -1 0 0\nnode 0 0 0\nnode 1 0 0\nnode 0 1 0\nsegment 0 1\nsegment 1 2\n"
                "segment 1 3\nthread 0 1 2\n");
-  folder.write("sub/m.toml",
-               replaced(small_mission(), "pattern = \"hexagon\"\nside = 1.0\nmesh = 0.5\n",
-                        "pattern = \"file\"\nfile = \"net.txt\"\n"));
+  folder.write(
+      "sub/m.toml",
+      replaced(small_mission(), "pattern = \"hexagon\"\nside = 1.0\nmesh = 0.5\nsegments = 2\n",
+               "pattern = \"file\"\nfile = \"net.txt\"\n"));
   const ProcessResult result = folder.run({"run", "sub/m.toml"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(folder.run({"info", "sub/m.toml"}).out, ContainsRegex("\n  nodes +7\n"));
+  EXPECT_THAT(folder.run({"info", "sub/m.toml"}).out, ContainsRegex("\n  nodes +4\n"));
   EXPECT_EQ(folder.run({"validate", "out/m/resolved.toml"}).exit_code, 0);
 }
 

@@ -72,7 +72,8 @@ TEST(Terminal, ShowsProgressAndSpeedAndTakesCtrlC) {
 TEST(Terminal, LineIsCutToItsWidth) {
   const WorkFolder folder;
   const Seen seen = on_terminal(folder, 30, "xterm", "%");
-  EXPECT_THAT(seen.text, HasSubstr("\r\033[K[>         ]   0 %  free 1/1 \r"));
+  EXPECT_THAT(seen.text, Not(HasSubstr("free 1/1  t")));
+  EXPECT_THAT(seen.text, HasSubstr("\r\033[K[>         ]   0 %  free 1/1 "));
 }
 
 TEST(Terminal, QuietAndDumbTerminalsShowNoProgress) {
