@@ -71,5 +71,19 @@ TEST(Killing, LeavesReadableFiles) {
   EXPECT_EQ(folder.run({"export", "out/m", "--to", "csv", "--out", "tables"}).exit_code, 0);
 }
 
+// The first Ctrl-C waits for the end of a step, which is long for a large net; the second does not.
+TEST(Killing, SecondInterruptEndsAtOnce) {
+  const WorkFolder folder;
+  folder.write("m.toml", endless_mission());
+  Process process({"run", "m.toml", "--set", "net.pattern=square", "--set", "net.mesh=0.005",
+                   "--set", "net.segments=1"},
+                  folder.path());
+  ASSERT_TRUE(wait_for_rows(process, folder, 1)) << process.wait().err;
+  process.send(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  process.send(SIGINT);
+  EXPECT_EQ(process.wait().signal, SIGINT);
+}
+
 }  // namespace
 }  // namespace retiarius
