@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include "program/console.hpp"
+
 namespace retiarius::program {
 
 namespace {
@@ -33,7 +35,7 @@ void handle(int signal, int flags) {
 }  // namespace
 
 const std::atomic<bool>& catch_interruptions() {
-  announce = ::isatty(STDERR_FILENO);
+  announce = status_possible() ? 1 : 0;
   handle(SIGINT, SA_RESTART | static_cast<int>(SA_RESETHAND));
   handle(SIGTERM, SA_RESTART);
   handle(SIGUSR1, SA_RESTART);
