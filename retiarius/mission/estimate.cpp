@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/mission/located_net.hpp"
 #include "retiarius/mission/run.hpp"
 #include "retiarius/mission/trigger.hpp"
 
@@ -44,7 +45,7 @@ double available_memory() {
 }  // namespace
 
 Estimate estimate(const Mission& mission) {
-  const NetworkCounts counts = count_network(mission.net);
+  const NetworkCounts counts = count_network(located_net(mission));
   Estimate e;
   e.nodes = counts.nodes;
   e.segments = counts.segments;

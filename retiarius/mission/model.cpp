@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/random.hpp"
+#include "retiarius/mission/located_net.hpp"
 #include "retiarius/mission/run.hpp"
 
 namespace retiarius {
@@ -24,7 +25,7 @@ void disturb(Network& network, double disturbance, std::uint64_t seed) {
 
 }  // namespace
 
-MissionModel::MissionModel(const Mission& mission) : network(build_network(mission.net)) {
+MissionModel::MissionModel(const Mission& mission) : network(build_network(located_net(mission))) {
   disturb(network, mission.net.disturbance, mission.seed);
   validate(network);
   for (const BodySpec& spec : mission.targets)

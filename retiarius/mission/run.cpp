@@ -126,6 +126,7 @@ class MissionLoop {
   void write(bool last);
   void leave(Phase& phase, const std::string& trigger);
   void check_strength();
+  void fail(const std::string& reason);
 
   const Mission& mission_;
   Observer& observer_;
@@ -165,19 +166,31 @@ RunReport MissionLoop::run() {
       report_.outcome = Outcome::broke;
       report_.reason = broken_;
     }
-  } catch (const RunError& e) {
-    report_.outcome = Outcome::failed;
-    report_.reason = e.what();
+  } catch (const Error& e) {
+    fail(e.what());
+  } catch (const std::bad_alloc&) {
+    fail("there is not enough memory to go on");
+  }
+  try {
     if (phase_index_ == static_cast<Index>(report_.phases.size()))
       leave(phases_[phase_index_], "failed");
+    write(true);
+    observer_.checkpoint(simulation_.state());
+  } catch (const Error& e) {
+    fail(e.what());
   }
-  write(true);
-  observer_.checkpoint(simulation_.state());
   report_.measures = measures_.summary();
   const std::chrono::duration<double> wall = Clock::now() - started_;
   report_.measures.push_back({"wall_time", "s", wall.count()});
   observer_.end(report_);
   return report_;
+}
+
+// The first failure is the run's reason; what it brings about later is not.
+void MissionLoop::fail(const std::string& reason) {
+  if (report_.outcome == Outcome::failed) return;
+  report_.outcome = Outcome::failed;
+  report_.reason = reason;
 }
 
 void MissionLoop::enter(Phase& phase, bool first) {
@@ -321,6 +334,11 @@ void MissionLoop::check_strength() {
 }
 
 }  // namespace
+
+void check_run(const Mission& mission, const MissionModel& model, const RunOptions& options) {
+  Observer nobody;
+  MissionLoop(mission, model, nobody, options);
+}
 
 RunReport run_mission(const Mission& mission, const MissionModel& model, Observer& observer,
                       const RunOptions& options) {

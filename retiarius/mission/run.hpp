@@ -52,6 +52,9 @@ struct StableStep {
 };
 StableStep stable_explicit_step(const Network& network);
 
+// Throws InputError where run_mission would before its first observer call.
+void check_run(const Mission& mission, const MissionModel& model, const RunOptions& options = {});
+
 // Runs the mission. Throws InputError before the first observer call where the mission does not fit
 // itself (a name that selects nothing, a list of the wrong length); afterwards failures are in the
 // report, and the observer has been told everything up to them.

@@ -108,6 +108,7 @@ std::string summary_text(const RunModel& model, const RunReport& report, const B
   summary["start_report"] = model.start_report;
   Json& versions = summary["versions"];
   versions["retiarius"] = build.version;
+  versions["revision"] = build.revision;
   versions["compiler"] = build.compiler;
   versions["libraries"] = to_json(build.libraries);
   summary["options"] = to_json(build.options);

@@ -13,7 +13,8 @@ using testing::SampleRun;
 using testing::TemporaryFolder;
 
 BuildInfo some_build() {
-  return {"0.1.0", "v0.1.0", "gcc 12", "Release", {{"native", "off"}}, "portable", {{"fmt", "9.1.0"}}};
+  return {"0.1.0",    "v0.1.0",          "gcc 12", "Release", {{"native", "off"}},
+          "portable", {{"fmt", "9.1.0"}}};
 }
 
 nlohmann::json written(const SampleRun& run, Outcome outcome) {
@@ -62,6 +63,7 @@ TEST(SummaryJson, SaysWhyARunEnded) {
 TEST(SummaryJson, NamesVersionsOptionsKernelsAndSeed) {
   const auto summary = written(SampleRun(), Outcome::finished);
   EXPECT_EQ(summary["versions"]["retiarius"], "0.1.0");
+  EXPECT_EQ(summary["versions"]["revision"], "v0.1.0");
   EXPECT_EQ(summary["versions"]["compiler"], "gcc 12");
   EXPECT_EQ(summary["versions"]["libraries"]["fmt"], "9.1.0");
   EXPECT_EQ(summary["options"]["native"], "off");

@@ -1,0 +1,115 @@
+// retiarius run MISSION: simulates it and leaves a folder of results.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/console.hpp"
+#include "program/interruption.hpp"
+#include "program/outcome.hpp"
+#include "program/output_guard.hpp"
+#include "program/progress.hpp"
+#include "program/start_state.hpp"
+#include "retiarius/base/build_info.hpp"
+#include "retiarius/mission/run.hpp"
+#include "retiarius/mission/writer.hpp"
+#include "retiarius/record/checkpoint.hpp"
+#include "retiarius/record/output_folder.hpp"
+#include "retiarius/report/run_recorders.hpp"
+#include "retiarius/solve/kernels.hpp"
+
+namespace retiarius::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  MissionArguments mission;
+  ComputingArguments computing;
+  std::string out, start;
+  bool quiet = false;
+};
+
+fs::path output_folder(const RunArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return fs::path("out") / fs::path(arguments.mission.file).stem();
+}
+
+RunOptions run_options(const RunArguments& arguments, const Mission& mission) {
+  RunOptions options;
+  options.stop = &catch_interruptions();
+  options.net_state = net_state(mission);
+  if (!arguments.start.empty()) options.start = read_checkpoint(arguments.start);
+  options.log = [](LogLevel level, const std::string& text) {
+    if (level == LogLevel::warning) tell_warning(text);
+  };
+  return options;
+}
+
+// All that writes results or shows progress.
+std::unique_ptr<Observer> make_observers(const RunArguments& arguments, const Mission& mission,
+                                         const fs::path& out) {
+  RecordOptions options;
+  options.resolved = to_toml(mission);
+  options.build = build_info();
+  options.build.kernels = kernel_name();
+  std::unique_ptr<FanOut> observers = make_run_recorders(out, options);
+  if (!arguments.quiet && status_possible()) observers->add(std::make_unique<Progress>());
+  return observers;
+}
+
+void tell_outcome(const RunArguments& arguments, const Mission& mission, const RunReport& report,
+                  const fs::path& out) {
+  show_status("");
+  if (report.outcome == Outcome::failed) tell_error(report.reason);
+  if (arguments.quiet) return;
+  print(outcome_text(mission, report));
+  print(fmt::format("\nreport: {}\n", (out / "report.html").string()));
+}
+
+ExitCode run(const RunArguments& arguments) {
+  make_write_failures_errors();
+  arguments.computing.apply();
+  const Mission mission = arguments.mission.read();
+  check_memory(estimate(mission));
+  const fs::path out = output_folder(arguments);
+  OutputGuard guard(out);
+  prepare_output_folder(out);
+  const RunOptions options = run_options(arguments, mission);
+  const MissionModel model(mission);
+  check_run(mission, model, options);
+
+  // Up to here nothing was written; from here on the run has begun.
+  guard.keep();
+  const std::unique_ptr<Observer> observers = make_observers(arguments, mission, out);
+  const RunReport report = run_mission(mission, model, *observers, options);
+  tell_outcome(arguments, mission, report, out);
+  return exit_code(report.outcome);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, ExitCode& code) {
+  CLI::App* command = app.add_subcommand("run", "Simulate a mission");
+  auto arguments = std::make_shared<RunArguments>();
+  arguments->mission.add_to(*command);
+  command
+      ->add_option("--out", arguments->out,
+                   "Folder for the results, new or empty; default out/<mission>")
+      ->type_name("DIR");
+  command
+      ->add_option("--start", arguments->start,
+                   "Start from the state that a run saved: its folder, or a checkpoint file")
+      ->type_name("DIR_OR_FILE");
+  arguments->computing.add_to(*command);
+  command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings and errors");
+  command->footer(
+      "Exit codes: 0 finished; 1 the run failed or a thread broke; 2 wrong usage or input;\n"
+      "4 interrupted by SIGINT, SIGTERM or SIGUSR1, with what was computed on disk.");
+  command->callback([arguments, &code] { code = run(*arguments); });
+}
+
+}  // namespace retiarius::program
