@@ -31,9 +31,10 @@ std::pair<double, double> range_of(const Plot& plot) {
       low = std::min(low, y);
       high = std::max(high, y);
     }
-  if (plot.zero_based) {
+  if (plot.zero_based && low <= high) {
     low = std::min(low, 0.0);
     high = std::max(high, 0.0);
+    if (low == high) high = 1.0;
   }
   return {low, high};
 }
@@ -72,8 +73,8 @@ std::string axes_svg(const Plot& plot, const Mapping& map) {
       fmt::format_to(out, "<path class=\"mark\" d=\"M{:.1f} {}V{}\"/>", map.px(mark), kTop,
                      kBottom);
   fmt::format_to(out, "<path class=\"axis\" d=\"M{} {}H{}\"/>", kLeft, kBottom, kRight);
-  fmt::format_to(out, "<text class=\"unit\" x=\"{}\" y=\"12\" text-anchor=\"end\">{}</text>",
-                 kLeft - 6, unit_text(plot, map.y.exponent));
+  fmt::format_to(out, "<text class=\"unit\" x=\"4\" y=\"12\">{}</text>",
+                 unit_text(plot, map.y.exponent));
   fmt::format_to(out, "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}{}</text>",
                  kRight, kHeight - 2, escape_html(plot.x_label),
                  map.x.exponent == 0 ? "" : " \u00b7 " + power_of_ten(-map.x.exponent));

@@ -64,6 +64,10 @@ Network square_network(int cells) {
     add_thread([&](int k) { return node(i, k); }, i == 0 || i == cells);
   net.corners = {node(cells, cells), node(0, cells), node(0, 0), node(cells, 0)};
   net.bullets = net.corners;
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(cells - k, cells));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(0, cells - k));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(k, 0));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(cells, k));
   net.center = node(cells / 2, cells / 2);
   return net;
 }

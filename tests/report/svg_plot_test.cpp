@@ -29,6 +29,13 @@ TEST(PlotSvg, PutsValuesWhereTheAxesSay) {
   EXPECT_THAT(svg, HasSubstr("class=\"mark\" d=\"M146.5 22V196\""));
 }
 
+TEST(PlotSvg, StartsAZeroBasedAxisAtZeroEvenWhenNothingHappens) {
+  Plot plot = ramp();
+  plot.zero_based = true;
+  for (PlotSeries& series : plot.series) series.y = {0, 0, 0};
+  EXPECT_THAT(plot_svg(plot), HasSubstr("class=\"line s0\" d=\"M52.0 196.0L"));
+}
+
 TEST(PlotSvg, HasATextAlternativeAndSafeText) {
   const std::string svg = plot_svg(ramp());
   EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-label=\"Area &lt;1&gt; over time / s. a &amp; b: "
