@@ -46,8 +46,9 @@ class Columns {
     plot.unit = printed_unit(unit);
     plot.x = time_;
     plot.marks = marks_;
+    int color = 0;  // kept by the series that remain, so that x, y, z look the same everywhere
     for (const auto& [column, label] : names) {
-      PlotSeries series{label, values(column)};
+      PlotSeries series{label, values(column), color++};
       if (!series.y.empty()) plot.series.push_back(std::move(series));
     }
     if (!is_zero(plot))
@@ -67,7 +68,7 @@ class Columns {
   Plot newton() const {
     Plot plot = this->plot("Newton iterations per step", "1", {});
     const std::vector<double> total = values("newton_iterations"), steps = values("step");
-    PlotSeries series{"iterations", std::vector<double>(total.size(), NAN)};
+    PlotSeries series{"iterations", std::vector<double>(total.size(), NAN), 0};
     for (std::size_t k = 1; k < total.size(); ++k)
       if (steps[k] > steps[k - 1])
         series.y[k] = (total[k] - total[k - 1]) / (steps[k] - steps[k - 1]);

@@ -39,6 +39,11 @@ std::pair<double, double> range_of(const Plot& plot) {
   return {low, high};
 }
 
+int color_of(const Plot& plot, std::size_t number) {
+  const int own = plot.series[number].color;
+  return (own >= 0 ? own : static_cast<int>(number)) % kPlotColors;
+}
+
 struct Mapping {
   Axis x, y;
 
@@ -90,7 +95,7 @@ std::string line_svg(const Plot& plot, std::size_t number, const Mapping& map) {
   const auto finish_run = [&] {  // a single sample between gaps has no line: it is a dot
     if (points == 1)
       dots += fmt::format("<circle class=\"dot s{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>",
-                          number % kPlotColors, px, py);
+                          color_of(plot, number), px, py);
     points = 0;
     pen_down = false;
   };
@@ -106,7 +111,7 @@ std::string line_svg(const Plot& plot, std::size_t number, const Mapping& map) {
     ++points;
   }
   finish_run();
-  return fmt::format("<path class=\"line s{}\" d=\"{}\"/>", number % kPlotColors, path) + dots;
+  return fmt::format("<path class=\"line s{}\" d=\"{}\"/>", color_of(plot, number), path) + dots;
 }
 
 }  // namespace
@@ -197,7 +202,7 @@ std::string legend_html(const Plot& plot) {
     html += fmt::format(
         "<span><svg viewBox=\"0 0 22 8\" aria-hidden=\"true\"><path class=\"line s{}\" "
         "d=\"M1 4H21\"/></svg>{}</span>",
-        k % kPlotColors, escape_html(plot.series[k].name));
+        color_of(plot, k), escape_html(plot.series[k].name));
   return html + "</div>";
 }
 
