@@ -123,6 +123,12 @@ Series::Series(hid_t parent, const std::string& name, hid_t type, std::vector<hs
                 H5Dclose);
 }
 
+std::size_t Series::entry_size() const {
+  std::size_t size = 1;
+  for (std::size_t k = 1; k < shape_.size(); ++k) size *= shape_[k];
+  return size;
+}
+
 void Series::append(const void* values, hsize_t count, hid_t type) {
   std::vector<hsize_t> start(shape_.size(), 0), block = shape_;
   start[0] = shape_[0];

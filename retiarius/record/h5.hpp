@@ -123,6 +123,9 @@ class Series {
   // Appends `count` entries; `values` has count times the entry's size elements of `type`.
   void append(const void* values, hsize_t count, hid_t type);
 
+  // Numbers in one entry.
+  std::size_t entry_size() const;
+
   hid_t id() const { return set_.id(); }
 
  private:

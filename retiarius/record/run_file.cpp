@@ -90,6 +90,13 @@ class RunFile::Impl {
     }
   }
 
+  std::string mission_text(const char* name) const {
+    return guarded([&] {
+      const h5::Handle group(h5::checked_id(H5Gopen2(id(), "mission", H5P_DEFAULT)), H5Gclose);
+      return h5::read_text(group.id(), name);
+    });
+  }
+
   hid_t id() const { return file_.id(); }
   hsize_t rows() const { return rows_; }
   hsize_t frames() const { return frames_; }
@@ -109,12 +116,8 @@ RunFile::RunFile(const std::filesystem::path& path) : impl_(std::make_unique<Imp
 RunFile::~RunFile() = default;
 RunFile::RunFile(RunFile&&) noexcept = default;
 
-std::string RunFile::resolved() const {
-  return impl_->guarded([&] {
-    const h5::Handle group(h5::checked_id(H5Gopen2(impl_->id(), "mission", H5P_DEFAULT)), H5Gclose);
-    return h5::read_text(group.id(), "resolved");
-  });
-}
+std::string RunFile::title() const { return impl_->mission_text("title"); }
+std::string RunFile::resolved() const { return impl_->mission_text("resolved"); }
 
 NetDrawing RunFile::net() const {
   return impl_->guarded([&] {
@@ -132,6 +135,10 @@ NetDrawing RunFile::net() const {
 
 std::vector<Index> RunFile::corners() const {
   return impl_->guarded([&] { return read_all<Index>(impl_->id(), "net/corners"); });
+}
+
+std::vector<Index> RunFile::perimeter() const {
+  return impl_->guarded([&] { return read_all<Index>(impl_->id(), "net/perimeter"); });
 }
 
 std::vector<BodyDrawing> RunFile::bodies() const {

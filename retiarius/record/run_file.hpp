@@ -18,9 +18,11 @@ class RunFile {
   ~RunFile();
   RunFile(RunFile&&) noexcept;
 
+  std::string title() const;     // of the mission
   std::string resolved() const;  // the mission with all defaults
   NetDrawing net() const;
   std::vector<Index> corners() const;
+  std::vector<Index> perimeter() const;
   std::vector<BodyDrawing> bodies() const;
 
   std::vector<std::string> history_names() const;  // in the order of history.csv

@@ -134,13 +134,19 @@ class RunH5::File {
     const State& s = *frame.state;
     const hid_t number = H5T_NATIVE_DOUBLE;
     const auto add = [&](const char* name, const std::vector<double>& values) {
-      frames_.at(name).append(values.data(), 1, number);
+      h5::Series& series = frames_.at(name);
+      if (values.size() != series.entry_size())
+        throw Error(fmt::format("a frame has {} values of {} where {} are expected", values.size(),
+                                name, series.entry_size()));
+      series.append(values.data(), 1, number);
     };
     add("positions", flat(s.x));
     add("velocities", flat(s.v));
     add("tension", frame.tension);
     add("strain", frame.strain);
     add("curvature", frame.curvature);
+    if (s.bodies.size() != bodies_)
+      throw Error(fmt::format("a frame has {} bodies of {}", s.bodies.size(), bodies_));
     if (bodies_ > 0) add_bodies(s.bodies);
     frames_.at("phase").append(&frame.phase, 1, h5::native_type<Index>());
     frames_.at("time").append(&s.time, 1, number);

@@ -56,7 +56,7 @@ std::string cards_html(const Measures& measures) {
   std::string html;
   for (const char* name : {"success", "captured_share", "closed", "mouth_area_max",
                            "mouth_area_max_time", "peak_tension", "first_contact_time",
-                           "smallest_distance", "linear_momentum_drift", "steps", "wall_time"})
+                           "smallest_distance", "linear_momentum_drift", "wall_time"})
     for (const Measure& measure : measures)
       if (measure.name == name && !std::holds_alternative<std::monostate>(measure.value))
         html += fmt::format("<div><dl><dt>{}</dt><dd>{}</dd></dl></div>", spaced(measure.name),

@@ -7,6 +7,17 @@ namespace retiarius {
 
 namespace {
 
+constexpr const char* kContacts = "Nodes in contact";
+
+bool is_zero(const PlotSeries& series) {
+  return std::all_of(series.y.begin(), series.y.end(), [](double y) { return y == 0.0; });
+}
+
+bool is_zero(const Plot& plot) {
+  return std::all_of(plot.series.begin(), plot.series.end(),
+                     [](const PlotSeries& series) { return is_zero(series); });
+}
+
 // The history by columns, with the instants at which phases start.
 class Columns {
  public:
@@ -35,15 +46,13 @@ class Columns {
     plot.unit = printed_unit(unit);
     plot.x = time_;
     plot.marks = marks_;
+    int color = 0;  // kept by the series that remain, so that x, y, z look the same everywhere
     for (const auto& [column, label] : names) {
-      PlotSeries series{label, values(column)};
+      PlotSeries series{label, values(column), color++};
       if (!series.y.empty()) plot.series.push_back(std::move(series));
     }
-    const auto zero = [](const PlotSeries& s) {
-      return std::all_of(s.y.begin(), s.y.end(), [](double y) { return y == 0.0; });
-    };
-    if (!std::all_of(plot.series.begin(), plot.series.end(), zero))
-      std::erase_if(plot.series, zero);
+    if (!is_zero(plot))
+      std::erase_if(plot.series, [](const PlotSeries& series) { return is_zero(series); });
     return plot;
   }
 
@@ -59,7 +68,7 @@ class Columns {
   Plot newton() const {
     Plot plot = this->plot("Newton iterations per step", "1", {});
     const std::vector<double> total = values("newton_iterations"), steps = values("step");
-    PlotSeries series{"iterations", std::vector<double>(total.size(), NAN)};
+    PlotSeries series{"iterations", std::vector<double>(total.size(), NAN), 0};
     for (std::size_t k = 1; k < total.size(); ++k)
       if (steps[k] > steps[k - 1])
         series.y[k] = (total[k] - total[k - 1]) / (steps[k] - steps[k - 1]);
@@ -87,10 +96,7 @@ void add_probes(const Columns& columns, std::vector<Plot>& plots) {
                                  {{probe + ".x", "x"}, {probe + ".y", "y"}, {probe + ".z", "z"}}));
     Plot force = columns.plot("Probe " + probe + ": support force", "N",
                               {{probe + ".fx", "x"}, {probe + ".fy", "y"}, {probe + ".fz", "z"}});
-    const bool held = std::any_of(force.series.begin(), force.series.end(), [](const auto& s) {
-      return std::any_of(s.y.begin(), s.y.end(), [](double y) { return y != 0.0; });
-    });
-    if (held) plots.push_back(std::move(force));
+    if (!is_zero(force)) plots.push_back(std::move(force));
   }
 }
 
@@ -136,11 +142,13 @@ std::vector<Plot> report_plots(const ReportData& data) {
           "Change of angular momentum", "kg m2/s",
           {{"angular_momentum_x", "x"}, {"angular_momentum_y", "y"}, {"angular_momentum_z", "z"}})),
       columns.plot("Smallest distance to a body", "m", {{"smallest_distance", "distance"}}),
-      zero_based(columns.plot("Nodes in contact", "1", {{"contacts", "contacts"}})),
+      zero_based(columns.plot(kContacts, "1", {{"contacts", "contacts"}})),
       columns.newton(),
   };
   add_probes(columns, plots);
-  std::erase_if(plots, [](const Plot& plot) { return !has_data(plot); });
+  std::erase_if(plots, [](const Plot& plot) {
+    return !has_data(plot) || (plot.title == kContacts && is_zero(plot));
+  });
   return plots;
 }
 

@@ -53,6 +53,22 @@ std::vector<Picture> chosen_pictures(std::vector<Picture> pictures, std::size_t 
   return chosen;
 }
 
+void Pictures::add(Picture picture) {
+  if (phase_ends_.empty() || phase_ends_.back().phase != picture.phase)
+    phase_ends_.push_back(picture);
+  else
+    phase_ends_.back() = picture;
+  thinned_.add(std::move(picture));
+}
+
+std::vector<Picture> Pictures::chosen() const {
+  std::vector<Picture> all = thinned_.items();
+  for (const Picture& end : phase_ends_)
+    if (std::none_of(all.begin(), all.end(), [&](const Picture& p) { return p.time == end.time; }))
+      all.push_back(end);
+  return chosen_pictures(std::move(all), kPictures);
+}
+
 ReportRecorder::ReportRecorder(const std::filesystem::path& folder, std::string resolved,
                                BuildInfo build)
     : path_(folder / "report.html") {
@@ -76,24 +92,14 @@ void ReportRecorder::history(const HistoryRow& row) {
 
 void ReportRecorder::frame(const Frame& frame) {
   const State& s = *frame.state;
-  Picture picture = make_picture(data_.scene, s.time, frame.phase, s.x, s.bodies);
-  if (phase_ends_.empty() || phase_ends_.back().phase != frame.phase)
-    phase_ends_.push_back(picture);
-  else
-    phase_ends_.back() = picture;
-  pictures_.add(std::move(picture));
+  pictures_.add(make_picture(data_.scene, s.time, frame.phase, s.x, s.bodies));
 }
 
 void ReportRecorder::end(const RunReport& report) {
   data_.run = report;
   data_.rows = rows_.items();
   if (!data_.rows.empty() && data_.rows.back()[0] != last_row_[0]) data_.rows.push_back(last_row_);
-  std::vector<Picture> pictures = pictures_.items();
-  for (const Picture& end : phase_ends_)
-    if (std::none_of(pictures.begin(), pictures.end(),
-                     [&](const Picture& p) { return p.time == end.time; }))
-      pictures.push_back(end);
-  data_.pictures = chosen_pictures(std::move(pictures), kPictures);
+  data_.pictures = pictures_.chosen();
   write_atomically(path_, report_html(data_));
 }
 

@@ -34,6 +34,17 @@ class Thinned {
 // then whatever fills the largest gap in time.
 std::vector<Picture> chosen_pictures(std::vector<Picture> pictures, std::size_t count);
 
+// Pictures of a whole run in bounded memory, of which a few are chosen in the end.
+class Pictures {
+ public:
+  void add(Picture picture);
+  std::vector<Picture> chosen() const;  // six, or fewer in a short run
+
+ private:
+  Thinned<Picture> thinned_{32};
+  std::vector<Picture> phase_ends_;  // the latest picture of each phase
+};
+
 // Gathers what the report shows and writes the page at the end, whatever the outcome.
 class ReportRecorder : public Observer {
  public:
@@ -49,8 +60,7 @@ class ReportRecorder : public Observer {
   ReportData data_;
   Thinned<std::vector<double>> rows_{8192};
   std::vector<double> last_row_;
-  Thinned<Picture> pictures_{32};
-  std::vector<Picture> phase_ends_;  // the latest picture of each phase
+  Pictures pictures_;
 };
 
 }  // namespace retiarius

@@ -31,11 +31,17 @@ std::pair<double, double> range_of(const Plot& plot) {
       low = std::min(low, y);
       high = std::max(high, y);
     }
-  if (plot.zero_based) {
+  if (plot.zero_based && low <= high) {
     low = std::min(low, 0.0);
     high = std::max(high, 0.0);
+    if (low == high) high = 1.0;
   }
   return {low, high};
+}
+
+int color_of(const Plot& plot, std::size_t number) {
+  const int own = plot.series[number].color;
+  return (own >= 0 ? own : static_cast<int>(number)) % kPlotColors;
 }
 
 struct Mapping {
@@ -72,8 +78,8 @@ std::string axes_svg(const Plot& plot, const Mapping& map) {
       fmt::format_to(out, "<path class=\"mark\" d=\"M{:.1f} {}V{}\"/>", map.px(mark), kTop,
                      kBottom);
   fmt::format_to(out, "<path class=\"axis\" d=\"M{} {}H{}\"/>", kLeft, kBottom, kRight);
-  fmt::format_to(out, "<text class=\"unit\" x=\"{}\" y=\"12\" text-anchor=\"end\">{}</text>",
-                 kLeft - 6, unit_text(plot, map.y.exponent));
+  fmt::format_to(out, "<text class=\"unit\" x=\"4\" y=\"12\">{}</text>",
+                 unit_text(plot, map.y.exponent));
   fmt::format_to(out, "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}{}</text>",
                  kRight, kHeight - 2, escape_html(plot.x_label),
                  map.x.exponent == 0 ? "" : " \u00b7 " + power_of_ten(-map.x.exponent));
@@ -89,7 +95,7 @@ std::string line_svg(const Plot& plot, std::size_t number, const Mapping& map) {
   const auto finish_run = [&] {  // a single sample between gaps has no line: it is a dot
     if (points == 1)
       dots += fmt::format("<circle class=\"dot s{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>",
-                          number % kPlotColors, px, py);
+                          color_of(plot, number), px, py);
     points = 0;
     pen_down = false;
   };
@@ -105,7 +111,7 @@ std::string line_svg(const Plot& plot, std::size_t number, const Mapping& map) {
     ++points;
   }
   finish_run();
-  return fmt::format("<path class=\"line s{}\" d=\"{}\"/>", number % kPlotColors, path) + dots;
+  return fmt::format("<path class=\"line s{}\" d=\"{}\"/>", color_of(plot, number), path) + dots;
 }
 
 }  // namespace
@@ -196,7 +202,7 @@ std::string legend_html(const Plot& plot) {
     html += fmt::format(
         "<span><svg viewBox=\"0 0 22 8\" aria-hidden=\"true\"><path class=\"line s{}\" "
         "d=\"M1 4H21\"/></svg>{}</span>",
-        k % kPlotColors, escape_html(plot.series[k].name));
+        color_of(plot, k), escape_html(plot.series[k].name));
   return html + "</div>";
 }
 

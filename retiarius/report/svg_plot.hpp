@@ -11,6 +11,7 @@ namespace retiarius {
 struct PlotSeries {
   std::string name;
   std::vector<double> y;  // one for each x; NaN leaves a gap
+  int color = -1;         // number of its colour and dashes; -1: its place among the series
 };
 
 struct Plot {

@@ -79,6 +79,18 @@ TEST(RunH5, WorksWithoutBodies) {
   EXPECT_TRUE(file.frame(1).bodies.empty());
 }
 
+TEST(RunH5, RefusesAFrameThatDoesNotFitTheNet) {
+  TemporaryFolder folder;
+  const SampleRun run;
+  RunH5 recorder(folder.path(), "", "");
+  recorder.begin(run.model());
+  const State state = run.state(0.0);
+  Frame frame = run.frame(state);
+  frame.tension.pop_back();
+  EXPECT_THAT(error_text<RunError>([&] { recorder.frame(frame); }),
+              HasSubstr("a frame has 39 values of tension where 40 are expected"));
+}
+
 // A second process writes without ever closing the file and kills itself without warning.
 void write_and_die(const std::filesystem::path& folder, int rows) {
   const pid_t child = fork();

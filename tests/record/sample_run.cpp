@@ -64,6 +64,10 @@ Network square_network(int cells) {
     add_thread([&](int k) { return node(i, k); }, i == 0 || i == cells);
   net.corners = {node(cells, cells), node(0, cells), node(0, 0), node(cells, 0)};
   net.bullets = net.corners;
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(cells - k, cells));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(0, cells - k));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(k, 0));
+  for (int k = 0; k < cells; ++k) net.perimeter.push_back(node(cells, k));
   net.center = node(cells / 2, cells / 2);
   return net;
 }
@@ -102,9 +106,11 @@ State SampleRun::state(double time) const {
     x.head<2>() *= 0.6 + 0.4 * std::sin(2.0 * time);
     x.z() = time * (1.0 + 0.15 * r2) + 0.05 * std::sin(7.0 * x.x() + 5.0 * time);
   }
-  s.bodies.push_back(bodies[0].initial);
-  s.bodies[0].attitude = Quat(Eigen::AngleAxisd(0.4 * time, Vec3(1, 2, 3).normalized()));
-  s.bodies[0].angular_momentum = Vec3(0.1, 0.2, 0.3);
+  for (const Body& body : bodies) {
+    s.bodies.push_back(body.initial);
+    s.bodies.back().attitude = Quat(Eigen::AngleAxisd(0.4 * time, Vec3(1, 2, 3).normalized()));
+    s.bodies.back().angular_momentum = Vec3(0.1, 0.2, 0.3);
+  }
   s.touches.push_back({3, 0, true, Vec3(1.0 / 3.0, -2.0, 0.5)});
   s.support.assign(s.x.size(), Vec3(0.0, 0.125, -1.0 / 7.0));
   s.account.material_loss = 0.1 * time;

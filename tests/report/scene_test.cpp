@@ -1,5 +1,7 @@
 #include "retiarius/report/scene.hpp"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "retiarius/report/scene_svg.hpp"
@@ -28,6 +30,7 @@ TEST(MakeScene, JoinsSegmentsToWholeThreads) {
   EXPECT_EQ(pieces(scene), 40u);
   EXPECT_EQ(scene.nodes.size(), 25u);
   for (const auto& line : scene.threads) EXPECT_EQ(line.size(), 5u);
+  EXPECT_EQ(std::count(scene.border.begin(), scene.border.end(), true), 4);
 }
 
 TEST(MakeScene, FollowsAThreadWhateverTheOrderOfItsSegments) {

@@ -16,7 +16,7 @@ Plot ramp() {
   plot.title = "Area <1>";
   plot.unit = "m";
   plot.x = {0, 1, 2};
-  plot.series = {{"a & b", {0, 5, 10}}, {"c", {1, 1, NAN}}};
+  plot.series = {{"a & b", {0, 5, 10}, -1}, {"c", {1, 1, NAN}, -1}};
   plot.marks = {0.5};
   return plot;
 }
@@ -27,6 +27,13 @@ TEST(PlotSvg, PutsValuesWhereTheAxesSay) {
   EXPECT_THAT(svg, HasSubstr("class=\"line s0\" d=\"M52.0 196.0L241.0 109.0L430.0 22.0\""));
   EXPECT_THAT(svg, HasSubstr("class=\"line s1\" d=\"M52.0 178.6L241.0 178.6\""));
   EXPECT_THAT(svg, HasSubstr("class=\"mark\" d=\"M146.5 22V196\""));
+}
+
+TEST(PlotSvg, StartsAZeroBasedAxisAtZeroEvenWhenNothingHappens) {
+  Plot plot = ramp();
+  plot.zero_based = true;
+  for (PlotSeries& series : plot.series) series.y = {0, 0, 0};
+  EXPECT_THAT(plot_svg(plot), HasSubstr("class=\"line s0\" d=\"M52.0 196.0L"));
 }
 
 TEST(PlotSvg, HasATextAlternativeAndSafeText) {
@@ -52,6 +59,13 @@ TEST(PlotSvg, BreaksLinesAtGaps) {
   const std::string svg = plot_svg(plot);
   const std::string line = svg.substr(svg.find("class=\"line"));
   EXPECT_EQ(std::count(line.begin(), line.begin() + static_cast<long>(line.find("/>")), 'M'), 2);
+}
+
+TEST(PlotSvg, LetsASeriesKeepItsColor) {
+  Plot plot = ramp();
+  plot.series[1].color = 4;
+  EXPECT_THAT(plot_svg(plot), HasSubstr("class=\"line s4\" d=\"M52.0 178.6"));
+  EXPECT_THAT(legend_html(plot), HasSubstr("class=\"line s4\""));
 }
 
 TEST(LegendHtml, NamesSeveralSeriesButNotOne) {
