@@ -1,7 +1,6 @@
 #include "retiarius/mission/table_source.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
