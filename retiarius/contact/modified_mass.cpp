@@ -14,10 +14,12 @@ constexpr double kEntryDepth = 1e-3;
 constexpr double kFrictionTolerance = 1e-3;
 // Slips slower than this, m/s, are rest: below it friction is proportionately less in the step,
 // and the node sticks from the next one on.
-constexpr double kSlowSlip = 1e-3;
+constexpr double kSlowSlip = 1e-2;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostRevisions = 30;
+// A node that leaves and enters again and again within a step stays at last.
+constexpr int kMostReleases = 2;
 constexpr int kMostPathSteps = 400;
 
 bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
@@ -124,7 +126,7 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
       const SurfacePoint there = shape.nearest(end);
       const bool through =
           there.distance >= radius_[i] || there.normal.dot(shape.nearest(hit).normal) < kSameSide;
-      fresh.push_back(make_contact(node, body, friction_ > 0.0 || through ? hit : end, true));
+      fresh.push_back(make_contact(node, body, friction_ > 0.0 || through ? hit : end, !released_[i]));
       contact_of_[i] = 0;
       found = true;
     }
@@ -185,14 +187,21 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
   double largest = 0.0;
   for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
   largest *= step_->reaction_impulse();
-  const std::size_t count = contacts_.size();
-  std::erase_if(contacts_, [&](const Contact& c) {
-    const bool pulls =
-        may_change && normal_impulse(c, x1[c.node], reaction[c.node]) < -1e-9 * largest;
-    if (pulls) released_[c.node] = 1;
-    return pulls;
+  bool changed = false;
+  std::erase_if(contacts_, [&](Contact& c) {
+    const bool pulls = may_change && released_[c.node] < kMostReleases &&
+                       normal_impulse(c, x1[c.node], reaction[c.node]) < -1e-9 * largest;
+    if (!pulls) return false;
+    changed = true;
+    // A node that sticks may pull only because it is dragged along: it slides before it leaves.
+    if (c.sticks) {
+      c.sticks = false;
+      c.limit = 0.0;
+      return false;
+    }
+    ++released_[c.node];
+    return true;
   });
-  bool changed = contacts_.size() != count;
   for (Contact& c : contacts_) changed |= revise_contact(c, reaction[c.node], may_change);
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)

@@ -17,6 +17,9 @@ namespace retiarius {
 
 namespace {
 
+// Convergence at which contacts are first revised: reactions are known to this share.
+constexpr double kLooseTolerance = 1e-3;
+
 std::vector<double> node_radii(const Network& network) {
   std::vector<double> radius(network.mass.size(), 0.0);
   for (const Segment& s : network.segments) {
@@ -138,7 +141,10 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
-  settings.loose_step_tolerance = response_ ? 1e-3 * length_scale_ : 0.0;
+  if (response_) {
+    settings.loose_step_tolerance = kLooseTolerance * length_scale_;
+    settings.loose_residual_ratio = kLooseTolerance / integrator_.tolerance;
+  }
   settings.max_iterations = integrator_.max_iterations;
   const NewtonResult result = minimise(*problem_, settings);
   report.iterations += result.iterations;

@@ -66,7 +66,8 @@ NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings) {
       return result;
     }
     const bool full = size * fraction <= settings.step_tolerance && problem.residual_ratio() <= 1.0;
-    const bool loose = size * fraction <= settings.loose_step_tolerance;
+    const bool loose = fraction == 1.0 && size <= settings.loose_step_tolerance &&
+                       problem.residual_ratio() <= settings.loose_residual_ratio;
     if ((full || loose) && problem.revise(full)) {
       value = problem.assemble(false);
       continue;

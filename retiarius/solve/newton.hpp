@@ -41,7 +41,10 @@ class NewtonProblem {
 
 struct NewtonSettings {
   double step_tolerance = 0.0;        // on direction_size()
-  double loose_step_tolerance = 0.0;  // at which revise(false) is called; 0: never
+  // The loose convergence at which revise(false) is called: after a whole Newton step that short,
+  // with a residual ratio that small. 0: never.
+  double loose_step_tolerance = 0.0;
+  double loose_residual_ratio = 0.0;
   int max_iterations = 50;
 };
 
