@@ -48,6 +48,7 @@ class MultifrontalSolver : public LinearSolver {
   void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
   void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
+  void solve_together(Vec3* x, int count) const;
 
   // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
@@ -61,6 +62,7 @@ class MultifrontalSolver : public LinearSolver {
   AlignedArray factor_, serial_, shared_, tasks_;
   mutable AlignedArray front_vector_;
   mutable std::vector<Vec3> permuted_;
+  mutable AlignedArray lanes_;           // interleaved right-hand sides, once there were several
   const BlockMatrix* matrix_ = nullptr;  // while factor() runs
   const kernels::KernelTable* kernels_ = nullptr;
   bool side_by_side_ = false;  // by tasks
@@ -228,7 +230,15 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
     throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
                             blocks));
   }
-  for (std::size_t start = 0; start < x.size(); start += blocks) solve_one(x.data() + start);
+  const std::size_t most = kernels::kLanes * blocks;
+  for (std::size_t start = 0; start < x.size(); start += most) {
+    const std::size_t count = std::min(most, x.size() - start) / blocks;
+    if (count == 1) {
+      solve_one(x.data() + start);
+    } else {
+      solve_together(x.data() + start, static_cast<int>(count));
+    }
+  }
 }
 
 void MultifrontalSolver::solve_one(Vec3* x) const {
@@ -261,6 +271,44 @@ void MultifrontalSolver::solve_one(Vec3* x) const {
                     all + 3 * front->first);
   }
   for (std::size_t k = 0; k < permuted_.size(); ++k) x[symbolic_.order[k]] = permuted_[k];
+}
+
+// At most kLanes right-hand sides, one after the other in x. Lanes to spare are zero.
+void MultifrontalSolver::solve_together(Vec3* x, int count) const {
+  constexpr int kLanes = kernels::kLanes;
+  const FlushDenormals flush;
+  const std::size_t blocks = symbolic_.order.size();
+  lanes_.resize(3 * kLanes * blocks);
+  double* to = lanes_.data();
+  if (count < kLanes) std::memset(to, 0, sizeof(double) * lanes_.size());
+  for (std::size_t k = 0; k < blocks; ++k, to += 3 * kLanes) {
+    const Vec3* from = x + symbolic_.order[k];
+    for (int c = 0; c < count; ++c, from += blocks) {
+      for (int i = 0; i < 3; ++i) to[i * kLanes + c] = (*from)[i];
+    }
+  }
+  const auto sweep = [this](const Front& front) {
+    return kernels::Sweep{factor_.data() + front.panel,
+                          front.ld,
+                          front.pivots(),
+                          front.pivot_rows,
+                          symbolic_.rows.data() + front.rows,
+                          front.below,
+                          lanes_.data() + 3L * kLanes * front.first,
+                          lanes_.data()};
+  };
+  const kernels::KernelTable& kernel = kernels::active();
+  for (const Front& front : symbolic_.fronts) kernel.forward_lanes(sweep(front));
+  for (auto front = symbolic_.fronts.rbegin(); front != symbolic_.fronts.rend(); ++front) {
+    kernel.backward_lanes(sweep(*front));
+  }
+  const double* from = lanes_.data();
+  for (std::size_t k = 0; k < blocks; ++k, from += 3 * kLanes) {
+    Vec3* into = x + symbolic_.order[k];
+    for (int c = 0; c < count; ++c, into += blocks) {
+      for (int i = 0; i < 3; ++i) (*into)[i] = from[i * kLanes + c];
+    }
+  }
 }
 
 }  // namespace
