@@ -57,6 +57,7 @@ class MultifrontalSolver : public LinearSolver {
   }
 
   Symbolic symbolic_;
+  std::vector<Index> position_;  // of each block in the order of elimination
   Index pairs_ = 0;
   bool analysed_ = false, factored_ = false;
   AlignedArray factor_, serial_, shared_, tasks_;
@@ -78,6 +79,10 @@ void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   reserve_updates();
   front_vector_.resize(static_cast<std::size_t>(symbolic_.largest_ld));
   permuted_.resize(symbolic_.order.size());
+  position_.resize(symbolic_.order.size());
+  for (std::size_t k = 0; k < position_.size(); ++k) {
+    position_[symbolic_.order[k]] = static_cast<Index>(k);
+  }
   analysed_ = true;
 }
 
@@ -279,12 +284,16 @@ void MultifrontalSolver::solve_together(Vec3* x, int count) const {
   const FlushDenormals flush;
   const std::size_t blocks = symbolic_.order.size();
   lanes_.resize(3 * kLanes * blocks);
-  double* to = lanes_.data();
-  if (count < kLanes) std::memset(to, 0, sizeof(double) * lanes_.size());
-  for (std::size_t k = 0; k < blocks; ++k, to += 3 * kLanes) {
-    const Vec3* from = x + symbolic_.order[k];
-    for (int c = 0; c < count; ++c, from += blocks) {
-      for (int i = 0; i < 3; ++i) to[i * kLanes + c] = (*from)[i];
+  // In the order of x: the rows of lanes are whole cache lines wherever they are.
+  for (std::size_t i = 0; i < blocks; ++i) {
+    double* const to = lanes_.data() + 3L * kLanes * position_[i];
+    const double* from = x[i].data();
+    int c = 0;
+    for (; c < count; ++c, from += 3 * blocks) {
+      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = from[k];
+    }
+    for (; c < kLanes; ++c) {
+      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = 0.0;
     }
   }
   const auto sweep = [this](const Front& front) {
@@ -302,11 +311,11 @@ void MultifrontalSolver::solve_together(Vec3* x, int count) const {
   for (auto front = symbolic_.fronts.rbegin(); front != symbolic_.fronts.rend(); ++front) {
     kernel.backward_lanes(sweep(*front));
   }
-  const double* from = lanes_.data();
-  for (std::size_t k = 0; k < blocks; ++k, from += 3 * kLanes) {
-    Vec3* into = x + symbolic_.order[k];
-    for (int c = 0; c < count; ++c, into += blocks) {
-      for (int i = 0; i < 3; ++i) (*into)[i] = from[i * kLanes + c];
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double* const from = lanes_.data() + 3L * kLanes * position_[i];
+    double* to = x[i].data();
+    for (int c = 0; c < count; ++c, to += 3 * blocks) {
+      for (int k = 0; k < 3; ++k) to[k] = from[k * kLanes + c];
     }
   }
 }
