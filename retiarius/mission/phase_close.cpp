@@ -7,6 +7,7 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/mission/phase_action.hpp"
+#include "retiarius/mission/step_grid.hpp"
 
 namespace retiarius {
 
@@ -69,8 +70,8 @@ class Close final : public PhaseAction {
 
   void act(Simulation& sim) override {
     const double now = sim.state().time;
-    if (paths_.empty() && !released_ && now >= start_ - 1e-12) plan(sim);
-    if (!paths_.empty() && now >= start_ + longest_ - 1e-12) {
+    if (paths_.empty() && !released_ && now >= start_ - kSameTime) plan(sim);
+    if (!paths_.empty() && now >= start_ + longest_ - kSameTime) {
       paths_.clear();
       released_ = true;
     }

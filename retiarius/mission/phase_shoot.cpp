@@ -5,6 +5,7 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/mission/phase_action.hpp"
+#include "retiarius/mission/step_grid.hpp"
 
 namespace retiarius {
 
@@ -47,7 +48,7 @@ class Shoot final : public PhaseAction {
 
   void act(Simulation& sim) override {
     for (std::size_t k = 0; k < delays_.size(); ++k) {
-      if (fired_[k] || sim.state().time < start_ + delays_[k] - 1e-12) continue;
+      if (fired_[k] || sim.state().time < start_ + delays_[k] - kSameTime) continue;
       sim.kick(bullets_[k], velocities_[k]);
       fired_[k] = true;
     }

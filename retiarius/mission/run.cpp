@@ -250,7 +250,7 @@ void MissionLoop::advance(Phase& phase) {
   double end = next_on_grid(now, phase.spec->integrator.step);
   for (const auto& action : phase.actions) {
     const auto event = action->next_event(now);
-    if (event && *event < end * (1.0 - 1e-12)) end = *event;
+    if (event && *event > now + kSameTime && *event < end - kSameTime) end = *event;
   }
   while (simulation_.state().time < end) {
     const StepReport step = simulation_.advance(
@@ -260,7 +260,7 @@ void MissionLoop::advance(Phase& phase) {
   bool acted = false;
   for (const auto& action : phase.actions) {
     const auto event = action->next_event(now);
-    if (!event || *event > simulation_.state().time) continue;
+    if (!event || *event > simulation_.state().time + kSameTime) continue;
     action->act(simulation_);
     acted = true;
   }

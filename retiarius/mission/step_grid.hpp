@@ -8,6 +8,9 @@ namespace retiarius {
 // Times within this share of the spacing count as on the grid.
 inline constexpr double kGridTolerance = 1e-6;
 
+// Times closer than this are one, s: what a step between them changes would be lost in rounding.
+inline constexpr double kSameTime = 1e-9;
+
 // The first multiple of h after `now`.
 inline double next_on_grid(double now, double h) {
   return (std::floor(now / h + kGridTolerance) + 1.0) * h;
@@ -20,7 +23,7 @@ class OutputGrid {
 
   // Whether the state at `now` is to be written; each time is written once.
   bool due(double now, bool last) {
-    if (now <= written_) return false;
+    if (now <= written_ + kSameTime) return false;
     const double k = std::round(now / interval_);
     if (!last && std::abs(now / interval_ - k) > kGridTolerance) return false;
     written_ = now;
