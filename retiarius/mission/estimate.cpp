@@ -68,8 +68,7 @@ void check_memory(const Estimate& e) {
 }
 
 StableStep stable_explicit_step(const Network& network) {
-  // Stiffness that each node feels: of all its segments. omega^2 <= max over segments of
-  // 2 (k_a / m_a + k_b / m_b) / 2 with k the sums, by Gershgorin's theorem.
+  // Stiffness that each node feels: of all its segments.
   std::vector<double> stiffness(network.mass.size(), 0.0);
   for (const Segment& s : network.segments) {
     const double k = network.materials[s.material].axial_stiffness / s.rest_length;

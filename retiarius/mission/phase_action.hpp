@@ -37,6 +37,7 @@ class PhaseAction {
 struct MissionFrame {
   Vec3 axis = Vec3::UnitZ();
   Index target = kNone;
+  bool fresh = true;  // the net starts as designed, not from a saved state
 };
 
 // The actions of a phase: that of its kind, its moves, its fixed nodes. Throws InputError where
@@ -55,7 +56,7 @@ std::unique_ptr<PhaseAction> make_fold(const PhaseSpec& phase, const Network& ne
 std::unique_ptr<PhaseAction> make_close(const PhaseSpec& phase, const Network& network,
                                         const MissionFrame& frame);
 
-// The initial velocities of the corner masses for a shot, relative to the net, m/s; in the order of
+// The initial velocities of the corner masses for a shot, m/s; in the order of
 // the corners. Lateral directions are those from the centre in the flat net, turned with the axis.
 std::vector<Vec3> shot_velocities(const PhaseSpec& phase, const Network& network);
 

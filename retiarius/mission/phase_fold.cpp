@@ -39,7 +39,8 @@ class Fold final : public PhaseAction {
     const Network& network = sim.network();
     center_ = sim.state().x[network.center];
     for (Index g : grips_) places_.push_back(sim.state().x[g]);
-    first_sag_ = sim.state().step == 0 ? std::min(kFirstSag, last_sag_) : 0.0;
+    const bool first = frame_.fresh && sim.state().step == 0;
+    first_sag_ = first ? std::min(kFirstSag, last_sag_) : 0.0;
     if (first_sag_ > 0.0) hang(sim);
   }
 

@@ -48,10 +48,11 @@ std::vector<Index> probe_nodes(const Mission& mission, const Network& network) {
   return nodes;
 }
 
-std::vector<Phase> make_phases(const Mission& mission, const MissionModel& model) {
+std::vector<Phase> make_phases(const Mission& mission, const MissionModel& model, bool fresh) {
   MissionFrame frame;
   frame.axis = mission_axis(mission, model.network);
   if (!model.bodies.empty()) frame.target = 0;
+  frame.fresh = fresh;
   std::vector<Phase> phases;
   for (const PhaseSpec& spec : mission.phases) {
     Phase phase;
@@ -102,7 +103,7 @@ class MissionLoop {
         observer_(observer),
         options_(options),
         network_(model.network),
-        phases_(make_phases(mission, model)),
+        phases_(make_phases(mission, model, mission.net.state.empty() && !options.start)),
         simulation_(model.network, model.bodies, first_state(mission, model, options)),
         measures_(model.network, model.bodies, probe_nodes(mission, model.network)),
         axis_(mission_axis(mission, model.network)),
@@ -126,6 +127,7 @@ class MissionLoop {
   void write(bool last);
   void leave(Phase& phase, const std::string& trigger);
   void check_strength();
+  void check_energy(const HistoryRow& row);
   void fail(const std::string& reason);
 
   const Mission& mission_;
@@ -143,6 +145,9 @@ class MissionLoop {
   double phase_start_ = 0.0;
   double fraction_ = 0.0;
   std::string broken_;
+  Index row_phase_ = 0;
+  double energy_scale_ = 0.0;  // J
+  double first_gravity_energy_ = kInfinity;  // of the phase, J
   Clock::time_point started_ = Clock::now();
   Clock::time_point saved_ = Clock::now();
 };
@@ -197,13 +202,15 @@ void MissionLoop::enter(Phase& phase, bool first) {
   const PhaseSpec& spec = *phase.spec;
   simulation_.configure(spec.environment, spec.integrator, spec.contact);
   simulation_.hold_bodies(spec.kind == PhaseKind::fold);
-  if (first) measures_.begin(simulation_);
   for (const auto& action : phase.actions) action->begin(simulation_);
-  if (spec.kind == PhaseKind::shoot) measures_.shot(simulation_, axis_);
+  const bool still = spec.integrator.method == Method::static_solve;
+  StepReport solved;
+  if (still) solved = simulation_.solve_static(prescribe(phase, phase_start_));
+  // Accounts begin once the first shape is found, which takes no physical time.
   if (first) measures_.begin(simulation_);
+  if (spec.kind == PhaseKind::shoot) measures_.shot(simulation_, axis_);
   measures_.begin_phase(simulation_, moves(phase));
-  if (spec.integrator.method == Method::static_solve)
-    measures_.step(simulation_, simulation_.solve_static(prescribe(phase, phase_start_)));
+  if (still) measures_.step(simulation_, solved);
   log_to(options_.log, LogLevel::info,
          fmt::format("phase {} \"{}\" begins at {:.6g} s", phase_index_, spec.name, phase_start_));
   if (first) write(false);
@@ -298,7 +305,11 @@ TriggerValues MissionLoop::trigger_values() const {
 // Rows and frames at their times; the last state always.
 void MissionLoop::write(bool last) {
   const double now = simulation_.state().time;
-  if (rows_.due(now, last)) observer_.history(measures_.row(simulation_, phase_index_));
+  if (rows_.due(now, last)) {
+    const HistoryRow row = measures_.row(simulation_, phase_index_);
+    observer_.history(row);
+    if (!last) check_energy(row);
+  }
   if (frames_.due(now, last)) observer_.frame(make_frame(simulation_, phase_index_));
 }
 
@@ -317,6 +328,27 @@ void MissionLoop::leave(Phase& phase, const std::string& trigger) {
   report_.phases.push_back(std::move(r));
   observer_.checkpoint(simulation_.state());
   saved_ = Clock::now();
+}
+
+// An integrator that is unstable at its step makes energy from nothing while every step converges;
+// such a run is wrong and ends. The scale is the largest energy that any cause has moved so far.
+void MissionLoop::check_energy(const HistoryRow& row) {
+  constexpr double kGrowth = 10.0;
+  if (!std::isfinite(first_gravity_energy_)) first_gravity_energy_ = row.gravity_energy;
+  if (row.phase != row_phase_) {  // the gravity of another phase is another field
+    first_gravity_energy_ = row.gravity_energy;
+    row_phase_ = row.phase;
+  }
+  if (row.integrator_loss >= 0.0)
+    energy_scale_ = std::max(energy_scale_, row.kinetic_energy + row.stretching_energy);
+  energy_scale_ = std::max({energy_scale_, std::abs(row.prescribed_work),
+                            std::abs(row.gravity_energy - first_gravity_energy_)});
+  if (-row.integrator_loss <= kGrowth * energy_scale_) return;
+  throw RunError(fmt::format(
+      "the integrator has made {:.3g} J from nothing by {:.6g} s, where {:.3g} J were moved: it is "
+      "unstable at this step. Take a smaller integrator.step or integrator.method = "
+      "\"implicit-euler\"",
+      -row.integrator_loss, row.time, energy_scale_));
 }
 
 // The first segment whose tension exceeds its thread's strength is remembered; the run goes on.

@@ -44,8 +44,9 @@ Estimate estimate(const Mission& mission);
 // Throws InputError, naming both sizes, where the mission needs more memory than the machine has.
 void check_memory(const Estimate& estimate);
 
-// The largest step that a plain explicit scheme could take, s, and the segment that sets it:
-// h = l0 sqrt(m' / EA) with the lumped masses of its two nodes, 2 / omega.
+// A step, s, at which a plain explicit scheme is surely stable, and the segment that sets it:
+// 2 / omega with omega^2 = 2 k / m, the largest over the nodes of k, the sum of the axial
+// stiffnesses EA / l0 that meet in one, over its mass (Gershgorin's bound).
 struct StableStep {
   double step = 0.0;
   Index segment = kNone;

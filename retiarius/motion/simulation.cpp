@@ -91,6 +91,13 @@ double Simulation::force_floor(const Step& step) const {
          (ulps * stiffest + 4.0 * heaviest * step.inertia * farthest);
 }
 
+// Updates below the rounding of the largest coordinate, m.
+double Simulation::round_off_step() const {
+  double farthest = 0.0;
+  for (const Vec3& x : state_.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  return 4.0 * std::numeric_limits<double>::epsilon() * farthest;
+}
+
 std::vector<Vec3> Simulation::start_acceleration() {
   Step at_start;
   at_start.start = &state_;
@@ -145,6 +152,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
     settings.loose_step_tolerance = kLooseTolerance * length_scale_;
     settings.loose_residual_ratio = kLooseTolerance / integrator_.tolerance;
   }
+  settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;
   const NewtonResult result = minimise(*problem_, settings);
   report.iterations += result.iterations;
@@ -289,7 +297,8 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     problem_->begin(std::move(start));
     NewtonSettings settings;
     settings.step_tolerance = integrator_.tolerance * length_scale_;
-    settings.max_iterations = integrator_.max_iterations;
+    settings.round_off_step = round_off_step();
+  settings.max_iterations = integrator_.max_iterations;
     const NewtonResult result = minimise(*problem_, settings);
     report.iterations += result.iterations;
     if (!result.converged) {

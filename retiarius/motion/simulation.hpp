@@ -79,6 +79,7 @@ class Simulation {
                 std::string& failure);
   std::vector<Vec3> start_acceleration();
   std::vector<BodyState> free_bodies(double h) const;
+  double round_off_step() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
   void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,

@@ -378,7 +378,15 @@ std::pair<double, Index> StepProblem::largest_residual() const {
 
 double StepProblem::residual_ratio() const {
   double largest = largest_residual().first;
-  for (const Vec6& g : reduced_body_gradient()) largest = std::max(largest, g.head<3>().norm());
+  // A moment counts as the force at the longest lever that transmits it.
+  std::vector<double> lever(bodies_->size(), 0.0);
+  for (const Constraint& c : constraints_)
+    if (c.body != kNone) lever[c.body] = std::max(lever[c.body], c.lever.norm());
+  const std::vector<Vec6> gradients = reduced_body_gradient();
+  for (std::size_t b = 0; b < gradients.size(); ++b) {
+    largest = std::max(largest, gradients[b].head<3>().norm());
+    if (lever[b] > 0.0) largest = std::max(largest, gradients[b].tail<3>().norm() / lever[b]);
+  }
   return largest / std::max(start_.tolerance * largest_force_, start_.force_floor);
 }
 

@@ -65,9 +65,12 @@ NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings) {
                                    result.iterations);
       return result;
     }
-    const bool full = size * fraction <= settings.step_tolerance && problem.residual_ratio() <= 1.0;
+    const double moved = size * fraction;
+    const double ratio = problem.residual_ratio();
+    const bool full = (moved <= settings.step_tolerance && ratio <= 1.0) ||
+                      (moved <= settings.round_off_step && ratio <= settings.round_off_ratio);
     const bool loose = fraction == 1.0 && size <= settings.loose_step_tolerance &&
-                       problem.residual_ratio() <= settings.loose_residual_ratio;
+                       ratio <= settings.loose_residual_ratio;
     if ((full || loose) && problem.revise(full)) {
       value = problem.assemble(false);
       continue;

@@ -45,6 +45,10 @@ struct NewtonSettings {
   // with a residual ratio that small. 0: never.
   double loose_step_tolerance = 0.0;
   double loose_residual_ratio = 0.0;
+  // A step that short moves nothing that can be represented: the iteration then ends where the
+  // residual ratio is at most round_off_ratio. 0: never.
+  double round_off_step = 0.0;
+  double round_off_ratio = 100.0;
   int max_iterations = 50;
 };
 

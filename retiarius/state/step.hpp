@@ -12,7 +12,7 @@ namespace retiarius {
 // Every integrator solves for one stage position y, at which the laws are evaluated. The stage is
 // the step's end (implicit Euler, Newmark) or its middle (midpoint).
 struct Step {
-  // How the rate of a strain follows from its values at start and stage; see strain_rate_offset().
+  // How the rate of a strain follows from its values at start and stage.
   enum class StrainRate {
     backward,   // implicit Euler: (eps - eps0) rate
     trapezoid,  // Newmark: 2 (eps - eps0) / h - eps0', at the step's end
