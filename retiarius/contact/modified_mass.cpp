@@ -17,7 +17,7 @@ constexpr double kFrictionTolerance = 1e-3;
 constexpr double kSlowSlip = 1e-2;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
-constexpr int kMostRevisions = 30;
+constexpr int kMostRevisions = 12;
 // A node that leaves and enters again and again within a step stays at last.
 constexpr int kMostReleases = 2;
 constexpr int kMostPathSteps = 400;

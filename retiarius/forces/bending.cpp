@@ -18,41 +18,74 @@ struct EdgeDerivatives {
   Mat6 hessian;
 };
 
+// A segment's direction t = e / g(|e|) with what its derivatives need. Where the segment is not
+// far too short, g is its length and t its unit tangent. A slack tension-only segment can shrink to
+// nothing, where the unit tangent jumps and nodes would be caught; below the share kShort of its
+// rest length, g = (l^2 / s + s) / 2 with s that length, smooth to first order.
+struct Direction {
+  Vec3 e, t;
+  double g;  // m
+  double q;  // g' / (g^2 l), 1/m3: dt/de = I / g - q e e^T
+  double r;  // q' / l, 1/m5
+};
+constexpr double kShort = 0.2;
+
+Direction direction(const Vec3& a, const Vec3& b, double rest_length) {
+  Direction d;
+  d.e = b - a;
+  const double l = d.e.norm();
+  const double s = kShort * rest_length;
+  if (l >= s) {
+    d.g = l;
+    d.q = 1.0 / (l * l * l);
+    d.r = -3.0 * d.q / (l * l);
+  } else {
+    d.g = 0.5 * (l * l / s + s);
+    d.q = 1.0 / (s * d.g * d.g);
+    d.r = -2.0 * d.q / (s * d.g);
+  }
+  d.t = d.e / d.g;
+  return d;
+}
+
 struct Edges {
-  Vec3 t1, t2;
-  double l1, l2, c;
+  Direction one, two;
+  double c;
 };
 
-Edges edges(const std::vector<Vec3>& y, Index a, Index b, Index c) {
-  Edges e;
-  e.t1 = y[b] - y[a];
-  e.t2 = y[c] - y[b];
-  e.l1 = e.t1.norm();
-  e.l2 = e.t2.norm();
-  e.t1 /= e.l1;
-  e.t2 /= e.l2;
-  e.c = e.t1.dot(e.t2);
+Edges edges(const std::vector<Vec3>& y, Index a, Index b, Index c, double rest1, double rest2) {
+  Edges e{direction(y[a], y[b], rest1), direction(y[b], y[c], rest2), 0.0};
+  e.c = e.one.t.dot(e.two.t);
   return e;
 }
 
-// With P_i = (I - t_i t_i^T) / |e_i|: dc/de1 = P1 t2, dc/de2 = P2 t1,
-// d2c/de1de1 = -(t1 (P1 t2)^T + (P1 t2) t1^T + c P1) / |e1|, d2c/de1de2 = P1 P2.
+Mat3 tangent_derivative(const Direction& d) {
+  return Mat3::Identity() / d.g - d.q * d.e * d.e.transpose();
+}
+
+// d2(t . w)/de2 for a fixed w.
+Mat3 second_derivative(const Direction& d, const Vec3& w) {
+  const double along = d.e.dot(w);
+  Mat3 m = -d.q * (w * d.e.transpose() + d.e * w.transpose()) -
+           (along * d.r) * d.e * d.e.transpose();
+  m.diagonal().array() -= along * d.q;
+  return m;
+}
+
+// With D_i = dt_i/de_i: dc/de1 = D1 t2, dc/de2 = D2 t1, d2c/de1de2 = D1 D2. For segments of proper
+// length D_i = P_i = (I - t_i t_i^T) / |e_i|.
 EdgeDerivatives differentiate(const Edges& e, const SquaredCurvature& k, bool second) {
-  const Vec3 p1t2 = (e.t2 - e.c * e.t1) / e.l1;
-  const Vec3 p2t1 = (e.t1 - e.c * e.t2) / e.l2;
+  const Mat3 d1 = tangent_derivative(e.one);
+  const Mat3 d2 = tangent_derivative(e.two);
   EdgeDerivatives d;
   Vec6 dc;
-  dc << p1t2, p2t1;
+  dc << d1 * e.two.t, d2 * e.one.t;
   d.gradient = k.first * dc;
   if (!second) return d;
-  const Mat3 p1 = (Mat3::Identity() - e.t1 * e.t1.transpose()) / e.l1;
-  const Mat3 p2 = (Mat3::Identity() - e.t2 * e.t2.transpose()) / e.l2;
   Mat6 ddc;
-  ddc.topLeftCorner<3, 3>() =
-      -(e.t1 * p1t2.transpose() + p1t2 * e.t1.transpose() + e.c * p1) / e.l1;
-  ddc.bottomRightCorner<3, 3>() =
-      -(e.t2 * p2t1.transpose() + p2t1 * e.t2.transpose() + e.c * p2) / e.l2;
-  ddc.topRightCorner<3, 3>() = p1 * p2;
+  ddc.topLeftCorner<3, 3>() = second_derivative(e.one, e.two.t);
+  ddc.bottomRightCorner<3, 3>() = second_derivative(e.two, e.one.t);
+  ddc.topRightCorner<3, 3>() = d1 * d2;
   ddc.bottomLeftCorner<3, 3>() = ddc.topRightCorner<3, 3>().transpose();
   d.hessian = k.second * dc * dc.transpose() + k.first * ddc;
   return d;
@@ -84,7 +117,9 @@ BendingLaw::BendingLaw(const Network& network) {
   for (const Joint& j : network.joints) {
     if (j.bending_stiffness <= 0.0) continue;
     const Bending kind = network.materials[network.segments[j.first].material].bending;
-    elements_.push_back({j.a, j.b, j.c, j.bending_stiffness / (2.0 * j.voronoi_length), kind});
+    elements_.push_back({j.a, j.b, j.c, network.segments[j.first].rest_length,
+                         network.segments[j.second].rest_length,
+                         j.bending_stiffness / (2.0 * j.voronoi_length), kind});
   }
 }
 
@@ -110,7 +145,7 @@ double BendingLaw::potential(const Step&, const std::vector<Vec3>& y) const { re
 double BendingLaw::energy(const std::vector<Vec3>& x) const {
   double sum = 0.0;
   for (const Element& e : elements_) {
-    const Edges d = edges(x, e.a, e.b, e.c);
+    const Edges d = edges(x, e.a, e.b, e.c, e.rest1, e.rest2);
     if (e.kind == Bending::tangent && d.c <= -1.0) return kInfinity;
     sum += e.factor * squared_curvature(e.kind, d.c).value;
   }
@@ -121,7 +156,7 @@ void BendingLaw::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out
   std::vector<Vec3>& g = *out.gradient;
   for (std::size_t n = 0; n < elements_.size(); ++n) {
     const Element& e = elements_[n];
-    const Edges d = edges(y, e.a, e.b, e.c);
+    const Edges d = edges(y, e.a, e.b, e.c, e.rest1, e.rest2);
     EdgeDerivatives f = differentiate(d, squared_curvature(e.kind, d.c), out.hessian != nullptr);
     const Vec3 g1 = e.factor * f.gradient.head<3>();
     const Vec3 g2 = e.factor * f.gradient.tail<3>();
@@ -148,7 +183,8 @@ void BendingLaw::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out
 std::vector<double> node_curvatures(const Network& network, const std::vector<Vec3>& x) {
   std::vector<double> result(x.size(), 0.0);
   for (const Joint& j : network.joints) {
-    const Edges d = edges(x, j.a, j.b, j.c);
+    const Edges d = edges(x, j.a, j.b, j.c, network.segments[j.first].rest_length,
+                          network.segments[j.second].rest_length);
     const Bending kind = network.materials[network.segments[j.first].material].bending;
     const double kappa = std::sqrt(std::max(
         0.0, squared_curvature(kind == Bending::tangent ? kind : Bending::bounded, d.c).value));

@@ -16,7 +16,9 @@ struct SquaredCurvature {
 };
 SquaredCurvature squared_curvature(Bending kind, double c);
 
-// Bending energy 1/2 (EI / lv) |kappa|^2 at each joint of a thread that is straight at rest.
+// Bending energy 1/2 (EI / lv) |kappa|^2 at each joint of a thread that is straight at rest. Where
+// a segment is shorter than a fifth of its rest length, as only slack tension-only threads can be,
+// its unit tangent is replaced by a shorter vector that vanishes smoothly with the segment.
 class BendingLaw final : public Law {
  public:
   explicit BendingLaw(const Network& network);
@@ -33,7 +35,8 @@ class BendingLaw final : public Law {
  private:
   struct Element {
     Index a, b, c;
-    double factor;  // EI / (2 lv), J
+    double rest1, rest2;  // rest lengths of its segments, m
+    double factor;        // EI / (2 lv), J
     Bending kind;
   };
   std::vector<Element> elements_;

@@ -37,6 +37,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
   dy_.assign(n, Vec3::Zero());
   body_mass_.assign(bodies.size(), Mat6::Zero());
   body_gradient_.assign(bodies.size(), Vec6::Zero());
+  borders_.resize(bodies.size());
 }
 
 void StepProblem::bind_laws() {
@@ -176,45 +177,56 @@ std::vector<Vec6> StepProblem::reduced_body_gradient() const {
   return g;
 }
 
-// The columns K N J of the bodies that touch, and their diagonal blocks J^T N K N J.
+Mat63& StepProblem::Border::at(Index node) {
+  if (place[node] == kNone) {
+    place[node] = static_cast<Index>(nodes.size());
+    nodes.push_back(node);
+    rows.push_back(Mat63::Zero());
+  }
+  return rows[place[node]];
+}
+
+void StepProblem::Border::clear() {
+  for (const Index node : nodes) place[node] = kNone;
+  nodes.clear();
+  rows.clear();
+}
+
+// The columns K N J of the bodies that touch.
 void StepProblem::build_borders() {
-  borders_.clear();
+  for (const Index body : touching_) borders_[body].clear();
+  touching_.clear();
   for (const Constraint& c : constraints_) {
     if (c.body == kNone) continue;
-    const auto known = std::find_if(borders_.begin(), borders_.end(),
-                                    [&](const Border& b) { return b.body == c.body; });
-    if (known == borders_.end()) {
-      borders_.push_back({c.body, {6, std::vector<Vec3>(mass_.size(), Vec3::Zero())}});
+    Border& border = borders_[c.body];
+    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
+    if (border.nodes.empty()) touching_.push_back(c.body);
+    const Mat63 follows = lever_map(c).transpose() * c.blocked;
+    border.at(c.node) += follows * matrix_.diagonal[c.node].transpose();
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
+      const Neighbour& n = neighbours_[s];
+      const Mat3& block = matrix_.below[n.slot];
+      border.at(n.node) += n.row ? Mat63(follows * block) : Mat63(follows * block.transpose());
     }
   }
-  std::sort(borders_.begin(), borders_.end(),
-            [](const Border& a, const Border& b) { return a.body < b.body; });
-  for (Border& border : borders_) {
-    for (const Constraint& c : constraints_) {
-      if (c.body != border.body) continue;
-      const Mat36 follows = c.blocked * lever_map(c);
-      const auto add = [&](Index node, const Mat36& rows) {
-        for (int k = 0; k < 6; ++k) border.columns[k][node] += rows.col(k);
-      };
-      add(c.node, matrix_.diagonal[c.node] * follows);
-      for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
-        const Neighbour& n = neighbours_[s];
-        const Mat3& block = matrix_.below[n.slot];
-        add(n.node, n.row ? Mat36(block.transpose() * follows) : Mat36(block * follows));
-      }
-    }
-  }
-  const std::size_t count = borders_.size();
+  std::sort(touching_.begin(), touching_.end());
+  build_border_diagonal();
+}
+
+// The blocks J^T N K N J of each pair of bodies that touch, with the bodies' masses.
+void StepProblem::build_border_diagonal() {
+  const std::size_t count = touching_.size();
   border_diagonal_.assign(count * count, Mat6::Zero());
   for (std::size_t p = 0; p < count; ++p) {
-    border_diagonal_[p * count + p] = body_mass_[borders_[p].body];
+    border_diagonal_[p * count + p] = body_mass_[touching_[p]];
     for (const Constraint& c : constraints_) {
-      if (c.body != borders_[p].body) continue;
-      const Mat36 follows = c.blocked * lever_map(c);
+      if (c.body != touching_[p]) continue;
+      const Mat63 follows = lever_map(c).transpose() * c.blocked;
       for (std::size_t q = 0; q < count; ++q) {
-        Mat36 column;
-        for (int k = 0; k < 6; ++k) column.col(k) = borders_[q].columns[k][c.node];
-        border_diagonal_[p * count + q] += follows.transpose() * column;
+        const Border& border = borders_[touching_[q]];
+        const Index place = border.place[c.node];
+        if (place == kNone) continue;
+        border_diagonal_[p * count + q] += follows * border.rows[place].transpose();
       }
     }
   }
@@ -232,8 +244,10 @@ void StepProblem::filter_matrix() {
       Mat3& block = matrix_.below[n.slot];
       block = n.row ? Mat3(free * block) : Mat3(block * free);
     }
-    for (Border& border : borders_) {
-      for (auto& column : border.columns) column[c.node] = free * column[c.node];
+    for (const Index body : touching_) {
+      Border& border = borders_[body];
+      const Index place = border.place[c.node];
+      if (place != kNone) border.rows[place] = (border.rows[place] * free).eval();
     }
   }
 }
@@ -247,10 +261,13 @@ bool StepProblem::find_direction() {
   if (!solver_->factor(matrix_)) return false;
   for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
-  solver_->solve(dy_);
   // A body that nothing touches any more goes back to its free motion.
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
-  if (!borders_.empty()) solve_bordered(body_gradient);
+  if (touching_.empty()) {
+    solver_->solve(dy_);
+  } else {
+    solve_bordered(body_gradient);
+  }
   for (const Constraint& c : constraints_) {
     dy_[c.node] -= c.blocked * dy_[c.node];
     if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
@@ -259,41 +276,71 @@ bool StepProblem::find_direction() {
          std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
 
-// Schur complement of the bodies: (D - B^T A^-1 B) db = -(g_b) - B^T dy.
+// A dy + B db = r for the net with its right-hand side r in dy, and B^T dy + D db = -g_b for the
+// bodies.
 void StepProblem::solve_bordered(const std::vector<Vec6>& body_gradient) {
-  const std::size_t count = borders_.size();
-  const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
-  Eigen::MatrixXd schur(size, size);
-  Eigen::VectorXd rhs(size);
-  std::vector<std::vector<std::vector<Vec3>>> solved(count);
-  for (std::size_t q = 0; q < count; ++q) {
-    solved[q] = borders_[q].columns;
-    for (auto& column : solved[q]) solver_->solve(column);
+  solve_columns();
+  reduce_to_bodies(body_gradient);
+  const std::size_t n = dy_.size();
+  const Eigen::Index size = schur_rhs_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec3 d = columns_[i];
+    for (Eigen::Index m = 0; m < size; ++m) {
+      d -= schur_rhs_(m) * columns_[(static_cast<std::size_t>(m) + 1) * n + i];
+    }
+    dy_[i] = d;
   }
-  const auto dot = [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-  };
-  for (std::size_t p = 0; p < count; ++p) {
-    for (int k = 0; k < 6; ++k) {
-      const Eigen::Index row = static_cast<Eigen::Index>(6 * p) + k;
-      rhs(row) = -body_gradient[borders_[p].body](k) - dot(borders_[p].columns[k], dy_);
-      for (std::size_t q = 0; q < count; ++q) {
-        for (int l = 0; l < 6; ++l) {
-          schur(row, static_cast<Eigen::Index>(6 * q) + l) =
-              border_diagonal_[p * count + q](k, l) - dot(borders_[p].columns[k], solved[q][l]);
-        }
+}
+
+// A^-1 r and A^-1 B, one column after the other.
+void StepProblem::solve_columns() {
+  const std::size_t n = dy_.size();
+  columns_.resize((1 + 6 * touching_.size()) * n);
+  std::copy(dy_.begin(), dy_.end(), columns_.begin());
+  std::fill(columns_.begin() + static_cast<std::ptrdiff_t>(n), columns_.end(), Vec3::Zero());
+  Vec3* first = columns_.data() + n;
+  for (const Index body : touching_) {
+    const Border& border = borders_[body];
+    for (int k = 0; k < 6; ++k, first += n) {
+      for (std::size_t t = 0; t < border.nodes.size(); ++t) {
+        first[border.nodes[t]] = border.rows[t].row(k).transpose();
       }
     }
   }
-  const Eigen::VectorXd db = Eigen::MatrixXd(0.5 * (schur + schur.transpose())).ldlt().solve(rhs);
+  solver_->solve(columns_);
+}
+
+// Schur complement of the bodies: (D - B^T A^-1 B) db = -g_b - B^T A^-1 r. The solution replaces
+// the right-hand side.
+void StepProblem::reduce_to_bodies(const std::vector<Vec6>& body_gradient) {
+  const std::size_t n = dy_.size(), count = touching_.size();
+  const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
+  schur_.resize(size, size);
+  schur_rhs_.resize(size);
   for (std::size_t p = 0; p < count; ++p) {
-    db_[borders_[p].body] = db.segment<6>(static_cast<Eigen::Index>(6 * p));
-    for (int k = 0; k < 6; ++k) {
-      const double amount = db_[borders_[p].body](k);
-      for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] -= amount * solved[p][k][i];
+    const Border& border = borders_[touching_[p]];
+    const Eigen::Index row = static_cast<Eigen::Index>(6 * p);
+    const auto dot = [&](std::size_t column) {
+      const Vec3* const x = columns_.data() + column * n;
+      Vec6 sum = Vec6::Zero();
+      for (std::size_t t = 0; t < border.nodes.size(); ++t) {
+        sum.noalias() += border.rows[t] * x[border.nodes[t]];
+      }
+      return sum;
+    };
+    schur_rhs_.segment<6>(row) = -body_gradient[touching_[p]] - dot(0);
+    for (std::size_t q = 0; q < count; ++q) {
+      for (int l = 0; l < 6; ++l) {
+        const std::size_t column = 6 * q + static_cast<std::size_t>(l);
+        schur_.block<6, 1>(row, static_cast<Eigen::Index>(column)) =
+            border_diagonal_[p * count + q].col(l) - dot(1 + column);
+      }
     }
+  }
+  schur_factor_.compute(0.5 * (schur_ + schur_.transpose()));
+  schur_factor_.solveInPlace(schur_rhs_);
+  for (std::size_t p = 0; p < count; ++p) {
+    db_[touching_[p]] = schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include <Eigen/Cholesky>
+
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/contact/response.hpp"
 #include "retiarius/solve/linear_solver.hpp"
@@ -17,6 +19,7 @@ namespace retiarius {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
+using Mat63 = Eigen::Matrix<double, 6, 3>;
 
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
 // rotation vector b that contact adds to its free motion (both divided by the step's reach). The
@@ -70,17 +73,26 @@ class StepProblem final : public NewtonProblem {
   const LinearSolver& solver() const { return *solver_; }
 
  private:
+  // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes
+  // that follow the body and at their neighbours, and kept for those alone.
   struct Border {
-    Index body = kNone;
-    std::vector<std::vector<Vec3>> columns;  // six right-hand sides, then solutions
+    std::vector<Index> nodes;
+    std::vector<Mat63> rows;   // of each of `nodes`, transposed
+    std::vector<Index> place;  // of each node of the net in `nodes`, or kNone
+
+    Mat63& at(Index node);  // adds the node if it is new
+    void clear();
   };
 
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
   void build_borders();
+  void build_border_diagonal();
   void filter_matrix();
   void solve_bordered(const std::vector<Vec6>& body_gradient);
+  void solve_columns();
+  void reduce_to_bodies(const std::vector<Vec6>& body_gradient);
   std::vector<Vec6> reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
@@ -105,8 +117,13 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   double largest_force_ = 0.0;
   BlockMatrix matrix_;
-  std::vector<Border> borders_;
-  std::vector<Mat6> border_diagonal_;  // of each pair of borders, row by row
+  std::vector<Border> borders_;        // of each body
+  std::vector<Index> touching_;        // bodies that nodes follow, ascending
+  std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
+  std::vector<Vec3> columns_;          // right-hand sides of net and borders, then solutions
+  Eigen::MatrixXd schur_;
+  Eigen::VectorXd schur_rhs_;
+  Eigen::LDLT<Eigen::MatrixXd> schur_factor_;
 };
 
 }  // namespace retiarius

@@ -7,6 +7,9 @@ namespace retiarius::kernels {
 // Rows of panels and updates are padded to a multiple of this, the widest vector in doubles.
 inline constexpr int kPadding = 8;
 
+// So many right-hand sides are solved at once. They lie interleaved: row by row, kLanes to a row.
+inline constexpr int kLanes = 8;
+
 // Consecutive rows of a child's update that are consecutive in its parent's front, in scalars.
 struct Run {
   int from, to, length;
@@ -28,6 +31,18 @@ struct Extension {
   long update_ld;
 };
 
+// One front's part in solving for kLanes right-hand sides.
+struct Sweep {
+  const double* panel;
+  long ld;
+  int pivots;
+  int pivot_rows;   // rows of the panel above the first row below the pivots, padding included
+  const int* rows;  // numbers of the blocks below
+  int below;        // how many
+  double* own;      // the front's pivot rows in `all`
+  double* all;      // right-hand sides and solutions in the order of elimination
+};
+
 struct KernelTable {
   // Cholesky factorisation of the panel's k pivot columns, in place; the diagonal is left as its
   // reciprocals. False when a pivot is not positive and finite.
@@ -46,6 +61,11 @@ struct KernelTable {
 
   // x = L11^-T (x - L21^T w). On entry w holds zero in the pivot rows and the solution below.
   void (*backward)(const double* panel, int ld, int k, double* w, double* x);
+
+  // The same for kLanes right-hand sides, in place: own = L11^-1 own, then L21 own is subtracted
+  // from the rows below; and own = L11^-T (own - L21^T below). Lanes do not mix.
+  void (*forward_lanes)(const Sweep& sweep);
+  void (*backward_lanes)(const Sweep& sweep);
 };
 
 // The table chosen by set_kernels().

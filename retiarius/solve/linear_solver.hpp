@@ -20,8 +20,10 @@ class LinearSolver {
   // Factorises; false when the matrix is not positive definite (a pivot was not positive).
   virtual bool factor(const BlockMatrix& matrix) = 0;
 
-  // Solves in place for one right-hand side, or for several, one after the other in x. Throws Error
-  // unless the last factor() succeeded. Uses storage of the solver: not from two threads at once.
+  // Solves in place for one right-hand side, or for several, one after the other in x: up to eight
+  // of them cost little more than one, and a solution does not depend on the others that it is
+  // found with, though one found alone may differ by rounding. Throws Error unless the last
+  // factor() succeeded. Uses storage of the solver: not from two threads at once.
   virtual void solve(std::vector<Vec3>& x) const = 0;
 
   // Numbers of the analysis: nonzero scalars of the factor and floating-point operations.

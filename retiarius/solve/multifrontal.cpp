@@ -48,6 +48,7 @@ class MultifrontalSolver : public LinearSolver {
   void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
   void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
+  void solve_together(Vec3* x, int count) const;
 
   // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
@@ -56,11 +57,13 @@ class MultifrontalSolver : public LinearSolver {
   }
 
   Symbolic symbolic_;
+  std::vector<Index> position_;  // of each block in the order of elimination
   Index pairs_ = 0;
   bool analysed_ = false, factored_ = false;
   AlignedArray factor_, serial_, shared_, tasks_;
   mutable AlignedArray front_vector_;
   mutable std::vector<Vec3> permuted_;
+  mutable AlignedArray lanes_;           // interleaved right-hand sides, once there were several
   const BlockMatrix* matrix_ = nullptr;  // while factor() runs
   const kernels::KernelTable* kernels_ = nullptr;
   bool side_by_side_ = false;  // by tasks
@@ -76,6 +79,10 @@ void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   reserve_updates();
   front_vector_.resize(static_cast<std::size_t>(symbolic_.largest_ld));
   permuted_.resize(symbolic_.order.size());
+  position_.resize(symbolic_.order.size());
+  for (std::size_t k = 0; k < position_.size(); ++k) {
+    position_[symbolic_.order[k]] = static_cast<Index>(k);
+  }
   analysed_ = true;
 }
 
@@ -228,7 +235,15 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
     throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
                             blocks));
   }
-  for (std::size_t start = 0; start < x.size(); start += blocks) solve_one(x.data() + start);
+  const std::size_t most = kernels::kLanes * blocks;
+  for (std::size_t start = 0; start < x.size(); start += most) {
+    const std::size_t count = std::min(most, x.size() - start) / blocks;
+    if (count == 1) {
+      solve_one(x.data() + start);
+    } else {
+      solve_together(x.data() + start, static_cast<int>(count));
+    }
+  }
 }
 
 void MultifrontalSolver::solve_one(Vec3* x) const {
@@ -261,6 +276,48 @@ void MultifrontalSolver::solve_one(Vec3* x) const {
                     all + 3 * front->first);
   }
   for (std::size_t k = 0; k < permuted_.size(); ++k) x[symbolic_.order[k]] = permuted_[k];
+}
+
+// At most kLanes right-hand sides, one after the other in x. Lanes to spare are zero.
+void MultifrontalSolver::solve_together(Vec3* x, int count) const {
+  constexpr int kLanes = kernels::kLanes;
+  const FlushDenormals flush;
+  const std::size_t blocks = symbolic_.order.size();
+  lanes_.resize(3 * kLanes * blocks);
+  // In the order of x: the rows of lanes are whole cache lines wherever they are.
+  for (std::size_t i = 0; i < blocks; ++i) {
+    double* const to = lanes_.data() + 3L * kLanes * position_[i];
+    const double* from = x[i].data();
+    int c = 0;
+    for (; c < count; ++c, from += 3 * blocks) {
+      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = from[k];
+    }
+    for (; c < kLanes; ++c) {
+      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = 0.0;
+    }
+  }
+  const auto sweep = [this](const Front& front) {
+    return kernels::Sweep{factor_.data() + front.panel,
+                          front.ld,
+                          front.pivots(),
+                          front.pivot_rows,
+                          symbolic_.rows.data() + front.rows,
+                          front.below,
+                          lanes_.data() + 3L * kLanes * front.first,
+                          lanes_.data()};
+  };
+  const kernels::KernelTable& kernel = kernels::active();
+  for (const Front& front : symbolic_.fronts) kernel.forward_lanes(sweep(front));
+  for (auto front = symbolic_.fronts.rbegin(); front != symbolic_.fronts.rend(); ++front) {
+    kernel.backward_lanes(sweep(*front));
+  }
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double* const from = lanes_.data() + 3L * kLanes * position_[i];
+    double* to = x[i].data();
+    for (int c = 0; c < count; ++c, to += 3 * blocks) {
+      for (int k = 0; k < 3; ++k) to[k] = from[k * kLanes + c];
+    }
+  }
 }
 
 }  // namespace

@@ -78,11 +78,11 @@ class ReferenceSolver : public LinearSolver {
       throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}",
                               x.size(), blocks));
     }
-    for (std::size_t start = 0; start < x.size(); start += blocks) {
-      Eigen::Map<Eigen::VectorXd> flat(x[start].data(), 3 * blocks_);
-      const Eigen::VectorXd solution = ldlt_.solve(flat);
-      flat = solution;
-    }
+    if (x.empty()) return;
+    Eigen::Map<Eigen::MatrixXd> columns(x.front().data(), 3 * blocks_,
+                                        static_cast<Eigen::Index>(x.size() / blocks));
+    const Eigen::MatrixXd solution = ldlt_.solve(columns);
+    columns = solution;
   }
 
   // The pivots are stored apart from the strict lower triangle.

@@ -13,10 +13,14 @@ class Determinism : public testing::Test {
   void TearDown() override { set_threads(1); }
 };
 
+// For one right-hand side, then for seven.
 std::vector<Vec3> solution(LinearSolver& solver, const BlockMatrix& matrix) {
   std::vector<Vec3> x = test::random_vector(matrix.pattern->blocks(), 91);
+  std::vector<Vec3> seven = test::random_vector(7 * matrix.pattern->blocks(), 94);
   EXPECT_TRUE(solver.factor(matrix));
   solver.solve(x);
+  solver.solve(seven);
+  x.insert(x.end(), seven.begin(), seven.end());
   return x;
 }
 

@@ -43,17 +43,23 @@ TEST_F(Kernels, AllAgree) {
   for (const auto& [name, pattern] : test::all_patterns()) {
     const BlockMatrix matrix = test::random_matrix(pattern, 81);
     const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 82);
+    const std::vector<Vec3> seven = test::random_vector(7 * pattern.blocks(), 83);
     solver->analyse(pattern);
     set_kernels("portable");
     ASSERT_TRUE(solver->factor(matrix));
-    std::vector<Vec3> expected = b;
+    std::vector<Vec3> expected = b, all_expected = seven;
     solver->solve(expected);
+    solver->solve(all_expected);
     for (const std::string_view kernels : available_kernels()) {
       set_kernels(kernels);
       ASSERT_TRUE(solver->factor(matrix)) << name << ", " << kernels;
       std::vector<Vec3> x = b;
       solver->solve(x);
       EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected))
+          << name << ", " << kernels;
+      std::vector<Vec3> all = seven;
+      solver->solve(all);
+      EXPECT_LE(test::distance(all, all_expected), 1e-12 * test::norm(all_expected))
           << name << ", " << kernels;
       BlockMatrix bad = matrix;
       if (pattern.blocks() == 0) continue;
