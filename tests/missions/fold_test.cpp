@@ -1,4 +1,6 @@
 // Folding on the ground: the bundle's size and where the grips end.
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "retiarius/mission/grips.hpp"
@@ -26,12 +28,15 @@ TEST(Fold, LeavesABundleOfTheExpectedSize) {
 
   const Measures& m = run.report.phases[0].measures;
   EXPECT_NEAR(number(m, "bundle_diameter"), phase.ratio * 2.0 * side + 2.0 * r, 1e-6);
-  // Loops of two pieces each hang from neighbouring grips 4 cm apart: about half their length.
-  const double loop = phase.grip_spacing;
-  EXPECT_NEAR(number(m, "bundle_height"), 0.5 * loop, 0.1 * loop);
+  // Half-way between two grips, which end 4 cm apart, a loop's lowest knot hangs one piece below
+  // them; from such knots hang those of the lines without grips, one piece further down.
+  const double mesh = run.mission.net.mesh;
+  const double apart = phase.ratio * phase.grip_spacing;
+  const double loop = std::sqrt(mesh * mesh - 0.25 * apart * apart);
+  EXPECT_NEAR(number(m, "bundle_height"), 2.0 * loop + 2.0 * r, 0.01 * loop);
   // Volume of thread over that of the cylinder.
-  const double n = side / run.mission.net.mesh;
-  const double length = run.mission.net.mesh * (6.0 * n * n + 6.0 * n);
+  const double n = side / mesh;
+  const double length = mesh * (6.0 * n * n + 6.0 * n);
   const double d = number(m, "bundle_diameter");
   EXPECT_NEAR(number(m, "packing_ratio"),
               r * r * length / (0.25 * d * d * number(m, "bundle_height")), 1e-9);

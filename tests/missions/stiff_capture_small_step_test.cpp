@@ -3,7 +3,7 @@
 namespace retiarius {
 namespace {
 
-TEST(StiffCaptureSlow, RunsAtTheSmallStep) { testing::expect_stiff_capture("0.001"); }
+TEST(StiffCapture, RunsAtTheSmallStep) { testing::expect_stiff_capture("0.001"); }
 
 }  // namespace
 }  // namespace retiarius

@@ -11,7 +11,7 @@ namespace {
 
 using namespace retiarius::testing;
 
-TEST(CaptureSlow, CatchesTheSatellite) {
+TEST(CaptureFull, CatchesTheSatellite) {
   if (std::getenv("RETIARIUS_FULL") == nullptr)
     GTEST_SKIP() << "set RETIARIUS_FULL to run the whole mission, which takes minutes";
   const RecordedRun run = run_file("capture");
