@@ -48,7 +48,7 @@ class MultifrontalSolver : public LinearSolver {
   void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
   void make_update(const Front& front, const double* panel, double* update, bool spread) const;
   void solve_one(Vec3* x) const;
-  void solve_together(Vec3* x, int count) const;
+  void solve_together(Vec3* x, std::size_t count) const;
 
   // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
@@ -241,7 +241,7 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
     if (count == 1) {
       solve_one(x.data() + start);
     } else {
-      solve_together(x.data() + start, static_cast<int>(count));
+      solve_together(x.data() + start, count);
     }
   }
 }
@@ -279,20 +279,18 @@ void MultifrontalSolver::solve_one(Vec3* x) const {
 }
 
 // At most kLanes right-hand sides, one after the other in x. Lanes to spare are zero.
-void MultifrontalSolver::solve_together(Vec3* x, int count) const {
-  constexpr int kLanes = kernels::kLanes;
+void MultifrontalSolver::solve_together(Vec3* x, std::size_t count) const {
+  constexpr std::size_t kLanes = kernels::kLanes;
   const FlushDenormals flush;
   const std::size_t blocks = symbolic_.order.size();
   lanes_.resize(3 * kLanes * blocks);
   // In the order of x: the rows of lanes are whole cache lines wherever they are.
   for (std::size_t i = 0; i < blocks; ++i) {
-    double* const to = lanes_.data() + 3L * kLanes * position_[i];
-    const double* from = x[i].data();
-    int c = 0;
-    for (; c < count; ++c, from += 3 * blocks) {
-      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = from[k];
+    double* const to = lanes_.data() + 3 * kLanes * static_cast<std::size_t>(position_[i]);
+    for (std::size_t c = 0; c < count; ++c) {
+      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = x[c * blocks + i][k];
     }
-    for (; c < kLanes; ++c) {
+    for (std::size_t c = count; c < kLanes; ++c) {
       for (int k = 0; k < 3; ++k) to[k * kLanes + c] = 0.0;
     }
   }
@@ -303,7 +301,7 @@ void MultifrontalSolver::solve_together(Vec3* x, int count) const {
                           front.pivot_rows,
                           symbolic_.rows.data() + front.rows,
                           front.below,
-                          lanes_.data() + 3L * kLanes * front.first,
+                          lanes_.data() + 3 * kLanes * static_cast<std::size_t>(front.first),
                           lanes_.data()};
   };
   const kernels::KernelTable& kernel = kernels::active();
@@ -312,10 +310,9 @@ void MultifrontalSolver::solve_together(Vec3* x, int count) const {
     kernel.backward_lanes(sweep(*front));
   }
   for (std::size_t i = 0; i < blocks; ++i) {
-    const double* const from = lanes_.data() + 3L * kLanes * position_[i];
-    double* to = x[i].data();
-    for (int c = 0; c < count; ++c, to += 3 * blocks) {
-      for (int k = 0; k < 3; ++k) to[k] = from[k * kLanes + c];
+    const double* const from = lanes_.data() + 3 * kLanes * static_cast<std::size_t>(position_[i]);
+    for (std::size_t c = 0; c < count; ++c) {
+      for (int k = 0; k < 3; ++k) x[c * blocks + i][k] = from[k * kLanes + c];
     }
   }
 }
