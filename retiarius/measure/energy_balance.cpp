@@ -10,27 +10,40 @@ double losses(const Account& a) {
   return a.material_loss + a.environment_loss + a.friction_loss + a.impact_loss;
 }
 
+// Bodies that are held take no part in gravity.
+const std::vector<Body>& falling_bodies(const Simulation& simulation) {
+  static const std::vector<Body> none;
+  return simulation.bodies_held() ? none : simulation.bodies();
+}
+
 }  // namespace
 
 Energies energies(const Simulation& simulation, const Vec3& g) {
   const Network& network = simulation.network();
   const State& state = simulation.state();
   return {kinetic_energy(network, simulation.bodies(), state), simulation.stretching_energy(),
-          simulation.bending_energy(), gravity_energy(network, simulation.bodies(), state, g)};
+          simulation.bending_energy(),
+          gravity_energy(network, falling_bodies(simulation), state, g)};
 }
 
 void EnergyBalance::begin(const Simulation& simulation) {
-  gravity_ = simulation.environment().gravity;
-  first_moment_ = first_moment(simulation.network(), simulation.bodies(), simulation.state());
+  remember(simulation);
   start_ = energies(simulation, gravity_).sum();
   account_ = simulation.state().account;
 }
 
 void EnergyBalance::see(const Simulation& simulation) {
-  const Vec3& g = simulation.environment().gravity;
-  start_ -= (g - gravity_).dot(first_moment_);
-  gravity_ = g;
-  first_moment_ = first_moment(simulation.network(), simulation.bodies(), simulation.state());
+  const Vec3 moment = simulation.bodies_held() ? net_moment_ : whole_moment_;
+  start_ += gravity_.dot(moment_) - simulation.environment().gravity.dot(moment);
+  remember(simulation);
+}
+
+void EnergyBalance::remember(const Simulation& simulation) {
+  const Network& network = simulation.network();
+  gravity_ = simulation.environment().gravity;
+  net_moment_ = first_moment(network, {}, simulation.state());
+  whole_moment_ = first_moment(network, simulation.bodies(), simulation.state());
+  moment_ = simulation.bodies_held() ? net_moment_ : whole_moment_;
 }
 
 double EnergyBalance::integrator_loss(const Energies& present, const Account& account) const {

@@ -47,6 +47,7 @@ class Simulation {
   // Holds all bodies where they are, neither moving nor falling nor touching, until called with
   // false: a target in orbit has no part in what happens to the net on the ground.
   void hold_bodies(bool held) { bodies_held_ = held; }
+  bool bodies_held() const { return bodies_held_; }
 
   // One accepted step towards time `end` (s); shorter where the whole did not converge. Throws
   // RunError naming time, node and cause where no step of the smallest allowed length converges;
