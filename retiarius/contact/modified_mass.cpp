@@ -126,7 +126,8 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
       const SurfacePoint there = shape.nearest(end);
       const bool through =
           there.distance >= radius_[i] || there.normal.dot(shape.nearest(hit).normal) < kSameSide;
-      fresh.push_back(make_contact(node, body, friction_ > 0.0 || through ? hit : end, !released_[i]));
+      fresh.push_back(
+          make_contact(node, body, friction_ > 0.0 || through ? hit : end, !released_[i]));
       contact_of_[i] = 0;
       found = true;
     }

@@ -66,8 +66,8 @@ Mat3 tangent_derivative(const Direction& d) {
 // d2(t . w)/de2 for a fixed w.
 Mat3 second_derivative(const Direction& d, const Vec3& w) {
   const double along = d.e.dot(w);
-  Mat3 m = -d.q * (w * d.e.transpose() + d.e * w.transpose()) -
-           (along * d.r) * d.e * d.e.transpose();
+  Mat3 m =
+      -d.q * (w * d.e.transpose() + d.e * w.transpose()) - (along * d.r) * d.e * d.e.transpose();
   m.diagonal().array() -= along * d.q;
   return m;
 }

@@ -47,10 +47,10 @@ class Stretching final : public Law {
     double axial_stiffness;  // EA, N
     double damping;          // tau, s
     bool compression;
-    double stiffness;   // c, N
-    double offset;      // d, N
-    double strain;      // eps0 at the start, taut part for tension-only threads
-    double viscous;     // viscous tension at the start, N (trapezoid only)
+    double stiffness;  // c, N
+    double offset;     // d, N
+    double strain;     // eps0 at the start, taut part for tension-only threads
+    double viscous;    // viscous tension at the start, N (trapezoid only)
   };
   double tension(const Element& e, double strain) const;
 

@@ -37,9 +37,9 @@ class EnergyBalance {
  private:
   void remember(const Simulation& simulation);
 
-  double start_ = 0.0;                // J
-  Account account_;                   // at the start
-  Vec3 gravity_ = Vec3::Zero();       // m/s2
+  double start_ = 0.0;           // J
+  Account account_;              // at the start
+  Vec3 gravity_ = Vec3::Zero();  // m/s2
   // Sums of m x at the last look, kg m: of the net, with the free bodies, and of what gravity
   // acted on.
   Vec3 net_moment_ = Vec3::Zero(), whole_moment_ = Vec3::Zero(), moment_ = Vec3::Zero();

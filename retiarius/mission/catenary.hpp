@@ -12,11 +12,11 @@ namespace retiarius {
 //   L = 2 a sinh u,  span = 2 a u,  sag = a (cosh u - 1),
 // hence span / L = u / sinh u and sag / L = tanh(u / 2) / 2.
 struct Catenary {
-  double span_ratio = 1.0;     // span / L
-  double sag_ratio = 0.0;      // sag / L
-  double parameter = 0.0;      // u
-  double horizontal = 0.0;     // H / (w L); infinite where the thread is straight
-  double end_tension = 0.0;    // T / (w L) at the supports
+  double span_ratio = 1.0;   // span / L
+  double sag_ratio = 0.0;    // sag / L
+  double parameter = 0.0;    // u
+  double horizontal = 0.0;   // H / (w L); infinite where the thread is straight
+  double end_tension = 0.0;  // T / (w L) at the supports
 };
 
 // Throws Error unless 0 < span_ratio <= 1.

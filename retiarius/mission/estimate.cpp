@@ -1,10 +1,9 @@
 // What a mission will need, before it is built.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
-
-#include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/mission/located_net.hpp"
@@ -34,8 +33,8 @@ double certain_end(const Mission& mission) {
 
 // The memory that this process may use, bytes.
 double available_memory() {
-  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                 static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
     bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));

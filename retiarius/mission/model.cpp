@@ -28,8 +28,7 @@ void disturb(Network& network, double disturbance, std::uint64_t seed) {
 MissionModel::MissionModel(const Mission& mission) : network(build_network(located_net(mission))) {
   disturb(network, mission.net.disturbance, mission.seed);
   validate(network);
-  for (const BodySpec& spec : mission.targets)
-    bodies.push_back(build_body(spec, mission.folder));
+  for (const BodySpec& spec : mission.targets) bodies.push_back(build_body(spec, mission.folder));
 }
 
 }  // namespace retiarius

@@ -37,7 +37,7 @@ struct RunReport {
   Outcome outcome = Outcome::finished;
   std::string reason;  // empty when finished
   std::vector<PhaseReport> phases;
-  Measures measures;   // of the whole run; wall_time among them
+  Measures measures;  // of the whole run; wall_time among them
 };
 
 class Observer {
@@ -45,9 +45,9 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void begin(const RunModel&) {}
-  virtual void history(const HistoryRow&) {}     // at output times
-  virtual void frame(const Frame&) {}            // at frame times
-  virtual void checkpoint(const State&) {}       // at phase ends, at intervals of wall time, at the end
+  virtual void history(const HistoryRow&) {}  // at output times
+  virtual void frame(const Frame&) {}         // at frame times
+  virtual void checkpoint(const State&) {}  // at phase ends, at intervals of wall time, at the end
   virtual void progress(const State&, Index /*phase*/, double /*phase_fraction*/) {}  // each step
   virtual void end(const RunReport&) {}
 };

@@ -97,12 +97,19 @@ std::vector<std::unique_ptr<PhaseAction>> make_actions(const PhaseSpec& phase,
   if (!phase.fix.empty()) actions.push_back(make_fix(phase, network));
   for (const MoveSpec& move : phase.move) actions.push_back(make_move(move, phase, network));
   switch (phase.kind) {
-    case PhaseKind::fold: actions.push_back(make_fold(phase, network, frame)); break;
-    case PhaseKind::shoot: actions.push_back(make_shoot(phase, network)); break;
-    case PhaseKind::close: actions.push_back(make_close(phase, network, frame)); break;
+    case PhaseKind::fold:
+      actions.push_back(make_fold(phase, network, frame));
+      break;
+    case PhaseKind::shoot:
+      actions.push_back(make_shoot(phase, network));
+      break;
+    case PhaseKind::close:
+      actions.push_back(make_close(phase, network, frame));
+      break;
     case PhaseKind::free:
     case PhaseKind::spread:
-    case PhaseKind::contact: break;
+    case PhaseKind::contact:
+      break;
   }
   return actions;
 }

@@ -22,7 +22,7 @@ struct Path {
   Vec3 from, to;       // arc: to the ellipse's centre and its two half axes; straight: the ends
   Vec3 across, along;  // half axes of the arc, m
   double duration = 0.0;
-  double pace = 0.0;   // of the share at the start, 1/s
+  double pace = 0.0;  // of the share at the start, 1/s
 
   double share(double t) const {
     const double s = t / duration;
@@ -51,9 +51,9 @@ class Close final : public PhaseAction {
   Close(const PhaseSpec& phase, const Network& network, const MissionFrame& frame)
       : phase_(phase), bullets_(network.bullets), frame_(frame) {
     if (frame.target == kNone)
-      throw InputError(phase.place,
-                       fmt::format("phase \"{}\": closing needs a [target] to close around",
-                                   phase.name));
+      throw InputError(
+          phase.place,
+          fmt::format("phase \"{}\": closing needs a [target] to close around", phase.name));
     delay_ = phase.delay.empty() ? 0.0 : phase.delay.front();
   }
 
@@ -93,7 +93,8 @@ class Close final : public PhaseAction {
   Measures measures(const Simulation& sim) const override {
     double widest = 0.0;
     for (Index a : bullets_) {
-      for (Index b : bullets_) widest = std::max(widest, (sim.state().x[a] - sim.state().x[b]).norm());
+      for (Index b : bullets_)
+        widest = std::max(widest, (sim.state().x[a] - sim.state().x[b]).norm());
     }
     return {{"corners_apart", "m", widest}, {"released", "", released_}};
   }

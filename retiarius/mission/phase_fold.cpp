@@ -96,7 +96,8 @@ class Fold final : public PhaseAction {
     for (Index g : grips_) gripped[g] = true;
     std::vector<Vec3> x = sim.state().x;
     for (Vec3& p : x) p = center_ + c.span_ratio * (p - center_);
-    for (const Thread& t : sim.network().threads) hang_thread(sim.network(), t, gripped, down, c, x);
+    for (const Thread& t : sim.network().threads)
+      hang_thread(sim.network(), t, gripped, down, c, x);
     sim.place(x);
     sim.solve_static(held);
   }

@@ -17,10 +17,11 @@ std::vector<double> per_corner(const std::vector<double>& values, double fallbac
   if (values.empty()) return std::vector<double>(corners, fallback);
   if (values.size() == 1) return std::vector<double>(corners, values.front());
   if (values.size() == corners) return values;
-  throw InputError(phase.place,
-                   fmt::format("phase \"{}\", {}: {} values for {} corners; give one for all or one "
-                               "for each",
-                               phase.name, key, values.size(), corners));
+  throw InputError(
+      phase.place,
+      fmt::format("phase \"{}\", {}: {} values for {} corners; give one for all or one "
+                  "for each",
+                  phase.name, key, values.size(), corners));
 }
 
 class Shoot final : public PhaseAction {

@@ -66,18 +66,20 @@ std::vector<Phase> make_phases(const Mission& mission, const MissionModel& model
 
 void check_same_net(const State& state, const Network& network, const char* what) {
   if (state.x.size() == network.mass.size()) return;
-  throw InputError(fmt::format("{}: the saved state has {} nodes, the mission's net {}; a state "
-                               "fits only the net that it was saved from",
-                               what, state.x.size(), network.mass.size()));
+  throw InputError(
+      fmt::format("{}: the saved state has {} nodes, the mission's net {}; a state "
+                  "fits only the net that it was saved from",
+                  what, state.x.size(), network.mass.size()));
 }
 
 State first_state(const Mission& mission, const MissionModel& model, const RunOptions& options) {
   State state = initial_state(model.network, model.bodies);
   if (!mission.net.state.empty()) {
     if (!options.net_state)
-      throw InputError(fmt::format("net.state = \"{}\": this run was not given the state that it "
-                                   "names",
-                                   mission.net.state));
+      throw InputError(
+          fmt::format("net.state = \"{}\": this run was not given the state that it "
+                      "names",
+                      mission.net.state));
     check_same_net(*options.net_state, model.network, "net.state");
     state.x = options.net_state->x;
     state.v = options.net_state->v;
@@ -146,7 +148,7 @@ class MissionLoop {
   double fraction_ = 0.0;
   std::string broken_;
   Index row_phase_ = 0;
-  double energy_scale_ = 0.0;  // J
+  double energy_scale_ = 0.0;                // J
   double first_gravity_energy_ = kInfinity;  // of the phase, J
   Clock::time_point started_ = Clock::now();
   Clock::time_point saved_ = Clock::now();
@@ -260,8 +262,8 @@ void MissionLoop::advance(Phase& phase) {
     if (event && *event > now + kSameTime && *event < end - kSameTime) end = *event;
   }
   while (simulation_.state().time < end) {
-    const StepReport step = simulation_.advance(
-        end, [&](double time) { return prescribe(phase, time); });
+    const StepReport step =
+        simulation_.advance(end, [&](double time) { return prescribe(phase, time); });
     after_step(phase, step);
   }
   bool acted = false;
@@ -358,8 +360,9 @@ void MissionLoop::check_strength() {
   for (std::size_t k = 0; k < tension.size(); ++k) {
     const double strength = network_.materials[network_.segments[k].material].strength;
     if (tension[k] <= strength) continue;
-    broken_ = fmt::format("segment {} carried {:.4g} N at {:.6g} s, more than its strength {:.4g} N",
-                          k, tension[k], simulation_.state().time, strength);
+    broken_ =
+        fmt::format("segment {} carried {:.4g} N at {:.6g} s, more than its strength {:.4g} N", k,
+                    tension[k], simulation_.state().time, strength);
     log_to(options_.log, LogLevel::warning, broken_);
     return;
   }

@@ -35,9 +35,9 @@ struct MissionModel {
 // What a mission will need, known without building it.
 struct Estimate {
   double nodes = 0, segments = 0, joints = 0, knots = 0;
-  double memory = 0;      // bytes, while it runs
-  double frames = 0;      // recorded, where the end is known; else 0
-  double frame_bytes = 0; // of all frames on disk, rough
+  double memory = 0;       // bytes, while it runs
+  double frames = 0;       // recorded, where the end is known; else 0
+  double frame_bytes = 0;  // of all frames on disk, rough
 };
 Estimate estimate(const Mission& mission);
 

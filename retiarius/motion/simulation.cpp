@@ -298,7 +298,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     NewtonSettings settings;
     settings.step_tolerance = integrator_.tolerance * length_scale_;
     settings.round_off_step = round_off_step();
-  settings.max_iterations = integrator_.max_iterations;
+    settings.max_iterations = integrator_.max_iterations;
     const NewtonResult result = minimise(*problem_, settings);
     report.iterations += result.iterations;
     if (!result.converged) {

@@ -20,9 +20,9 @@ struct Material {
   double bending_stiffness = 0.0;  // EI, N m2; 0 where bending is none
   Bending bending = Bending::none;
   bool compression = true;
-  double damping = 0.0;            // tau, s
-  double strength = kInfinity;     // N
-  double line_density = 0.0;       // rho A, kg/m
+  double damping = 0.0;         // tau, s
+  double strength = kInfinity;  // N
+  double line_density = 0.0;    // rho A, kg/m
 };
 
 struct Segment {
@@ -49,20 +49,21 @@ struct Thread {
 };
 
 struct Network {
-  std::vector<Vec3> design;     // node positions as designed: flat, centre at the origin, scale 1
-  std::vector<Vec3> initial;    // node positions at the mission's start
-  std::vector<Vec3> velocity;   // node velocities at the mission's start
-  std::vector<double> mass;     // kg, lumped: threads, knots and corner masses
+  std::vector<Vec3> design;    // node positions as designed: flat, centre at the origin, scale 1
+  std::vector<Vec3> initial;   // node positions at the mission's start
+  std::vector<Vec3> velocity;  // node velocities at the mission's start
+  std::vector<double> mass;    // kg, lumped: threads, knots and corner masses
   std::vector<Segment> segments;
   std::vector<Joint> joints;
   std::vector<Thread> threads;
   std::vector<Material> materials;
-  std::vector<Index> knots;      // nodes in which threads cross or end, ascending
-  std::vector<Index> corners;    // the mouth's polygon, counter-clockwise from +x seen from +z
-  std::vector<Index> bullets;    // the node that carries each corner's mass (the corner without bridle)
-  std::vector<Index> perimeter;  // all nodes of the outline in order, counter-clockwise from corner 0
-  Index center = kNone;          // the knot nearest the centroid
-  Vec3 normal = Vec3::UnitZ();   // of the net as designed
+  std::vector<Index> knots;    // nodes in which threads cross or end, ascending
+  std::vector<Index> corners;  // the mouth's polygon, counter-clockwise from +x seen from +z
+  std::vector<Index> bullets;  // the nodes of the corner masses (the corners without bridle)
+  // All nodes of the outline in order, counter-clockwise from corner 0.
+  std::vector<Index> perimeter;
+  Index center = kNone;         // the knot nearest the centroid
+  Vec3 normal = Vec3::UnitZ();  // of the net as designed
 
   Index node_count() const { return static_cast<Index>(design.size()); }
   Index segment_count() const { return static_cast<Index>(segments.size()); }

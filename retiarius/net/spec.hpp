@@ -53,15 +53,15 @@ struct NetSpec {
   // Mesh of pattern = "square" (square, along the sides, or diamond, at 45 degrees) and "triangle"
   // (natural: three families of threads parallel to the sides; diamond: two families).
   Cell cell = Cell::natural;
-  int segments = 1;                    // segments per piece
+  int segments = 1;  // segments per piece
   Knots knots = Knots::continuous;
-  double knot_mass = 0.0;              // kg, added at each knot
-  double scale = 1.0;                  // of the initial positions in the net's plane
+  double knot_mass = 0.0;  // kg, added at each knot
+  double scale = 1.0;      // of the initial positions in the net's plane
   bool zigzag = false;
-  double disturbance = 0.0;            // m, random displacement of the start, from the mission's seed
-  std::string file;                    // network file of pattern = "file" (net/network_file.hpp)
-  std::string state;                   // run folder or checkpoint that gives the initial positions
-  Vec3 position = Vec3::Zero();        // m, where the net's centre is placed
+  double disturbance = 0.0;      // m, random displacement of the start, from the mission's seed
+  std::string file;              // network file of pattern = "file" (net/network_file.hpp)
+  std::string state;             // run folder or checkpoint that gives the initial positions
+  Vec3 position = Vec3::Zero();  // m, where the net's centre is placed
   ThreadSpec thread;
   BorderSpec border;
   CornerMassSpec corner_mass;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "retiarius/mission/observer.hpp"
 #include "retiarius/base/build_info.hpp"
+#include "retiarius/mission/observer.hpp"
 
 namespace retiarius {
 

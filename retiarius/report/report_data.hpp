@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "retiarius/mission/observer.hpp"
 #include "retiarius/base/build_info.hpp"
+#include "retiarius/mission/observer.hpp"
 #include "retiarius/report/scene.hpp"
 
 namespace retiarius {

@@ -61,8 +61,8 @@ NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings) {
     const double size = problem.direction_size();
     const double fraction = line_search(problem, value);
     if (fraction == 0.0) {
-      result.failure = fmt::format("the line search found no descent at iteration {}",
-                                   result.iterations);
+      result.failure =
+          fmt::format("the line search found no descent at iteration {}", result.iterations);
       return result;
     }
     const double moved = size * fraction;

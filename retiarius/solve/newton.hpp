@@ -40,7 +40,7 @@ class NewtonProblem {
 };
 
 struct NewtonSettings {
-  double step_tolerance = 0.0;        // on direction_size()
+  double step_tolerance = 0.0;  // on direction_size()
   // The loose convergence at which revise(false) is called: after a whole Newton step that short,
   // with a residual ratio that small. 0: never.
   double loose_step_tolerance = 0.0;
@@ -54,9 +54,9 @@ struct NewtonSettings {
 
 struct NewtonResult {
   bool converged = false;
-  int iterations = 0;       // linear solves
-  int projections = 0;      // times the Hessian had to be projected
-  std::string failure;      // why it did not converge
+  int iterations = 0;   // linear solves
+  int projections = 0;  // times the Hessian had to be projected
+  std::string failure;  // why it did not converge
 };
 
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings);

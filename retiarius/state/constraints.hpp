@@ -11,10 +11,10 @@ namespace retiarius {
 // free body prescribes it relative to that body, which then takes the reaction.
 struct Constraint {
   Index node = kNone;
-  Mat3 blocked = Mat3::Identity();   // orthogonal projector on the blocked directions
-  Vec3 target = Vec3::Zero();        // end position; only its blocked part counts, m
-  Index body = kNone;                // free body that the target moves with
-  Vec3 lever = Vec3::Zero();         // from the body's predicted mass centre to the point, m
+  Mat3 blocked = Mat3::Identity();  // orthogonal projector on the blocked directions
+  Vec3 target = Vec3::Zero();       // end position; only its blocked part counts, m
+  Index body = kNone;               // free body that the target moves with
+  Vec3 lever = Vec3::Zero();        // from the body's predicted mass centre to the point, m
   // Friction of a node that slides along the directions that are not blocked: at most `limit` (N)
   // against its slip relative to `carried`, the place that moves with the body; slips below
   // `smoothing` (m) get proportionately less, so that the force is smooth.

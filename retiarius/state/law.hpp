@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "retiarius/base/vec.hpp"
 #include "retiarius/base/block_matrix.hpp"
+#include "retiarius/base/vec.hpp"
 #include "retiarius/state/step.hpp"
 
 namespace retiarius {

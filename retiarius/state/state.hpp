@@ -29,20 +29,20 @@ struct Touch {
 // What has been gained and lost since the start of the run, J and N s; energies that are functions
 // of the present state (kinetic, stretching, ...) are not stored but measured.
 struct Account {
-  double material_loss = 0.0;     // to Kelvin-Voigt damping of the threads
-  double environment_loss = 0.0;  // to environmental damping
-  double friction_loss = 0.0;     // to Coulomb friction
-  double impact_loss = 0.0;       // to plastic impact of nodes on bodies
-  double prescribed_work = 0.0;   // done on the net by supports, grips and shots
+  double material_loss = 0.0;                   // to Kelvin-Voigt damping of the threads
+  double environment_loss = 0.0;                // to environmental damping
+  double friction_loss = 0.0;                   // to Coulomb friction
+  double impact_loss = 0.0;                     // to plastic impact of nodes on bodies
+  double prescribed_work = 0.0;                 // done on the net by supports, grips and shots
   Vec3 outside_impulse = Vec3::Zero();          // of gravity, damping, supports and shots
   Vec3 outside_angular_impulse = Vec3::Zero();  // the same about the origin, N m s
 };
 
 struct State {
-  double time = 0.0;       // s, since the mission's start
-  std::int64_t step = 0;   // accepted steps since the mission's start
-  std::vector<Vec3> x;     // node positions, m
-  std::vector<Vec3> v;     // node velocities, m/s
+  double time = 0.0;      // s, since the mission's start
+  std::int64_t step = 0;  // accepted steps since the mission's start
+  std::vector<Vec3> x;    // node positions, m
+  std::vector<Vec3> v;    // node velocities, m/s
   std::vector<BodyState> bodies;
   std::vector<Touch> touches;  // ordered by node
   std::vector<Vec3> support;   // force of supports on each node at the end of the last step, N

@@ -25,8 +25,8 @@ struct Step {
   double h = 0.0;                // length of the step, s
   double rate = 0.0;             // 1/s: the stage velocity is w = rate (y - x0) - carry v0
   double carry = 0.0;
-  double inertia = 0.0;          // 1/s2: the stage balances inertia m (y - predicted)
-  double reach = 1.0;            // x1 = x0 + reach (y - x0)
+  double inertia = 0.0;  // 1/s2: the stage balances inertia m (y - predicted)
+  double reach = 1.0;    // x1 = x0 + reach (y - x0)
   StrainRate strain_rate = StrainRate::backward;
 
   Vec3 stage_velocity(Index i, const Vec3& y) const {

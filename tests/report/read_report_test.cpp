@@ -19,7 +19,8 @@ using testing::TemporaryFolder;
 void record(const std::filesystem::path& folder, const SampleRun& run, bool to_the_end) {
   RecordOptions options;
   options.resolved = "title = \"Sample\"\n";
-  options.build = {"0.1.0", "v0.1.0", "gcc", "Release", {{"native", "off"}}, "plain", {{"fmt", "9.1"}}};
+  options.build = {"0.1.0", "v0.1.0",        "gcc", "Release", {{"native", "off"}},
+                   "plain", {{"fmt", "9.1"}}};
   const auto recorders = make_run_recorders(folder, options);
   run.feed(*recorders, 101);
   if (to_the_end) recorders->end(run.report());
