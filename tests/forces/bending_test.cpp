@@ -69,6 +69,31 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{Bending::tangent, 60.0, 1e-9}, Case{Bending::tangent, 120.0, 1e-8},
                       Case{Bending::tangent, 170.0, 1e-4}));
 
+// A segment far shorter than at rest, and one of no length at all, bends smoothly: derivatives as
+// elsewhere, with steps that stay on one side of where the short form begins (a fifth of the rest
+// length, here 0.22 m), across which only the Hessian jumps.
+TEST(Bending, ShortSegmentsAreSmooth) {
+  for (const Bending kind : {Bending::bounded, Bending::tangent}) {
+    const Network net = one_joint(kind);
+    Random random(9);
+    BendingLaw law(net);
+    State start;
+    for (const double share : {0.0, 0.01, 0.1, 0.19, 0.21}) {
+      std::vector<Vec3> y = turned(net, 70.0, random);
+      y[2] = y[1] + share / 1.1 * (y[2] - y[1]);
+      const Mismatch m = compare_derivatives(law, any_step(start), y, 1e-4);
+      EXPECT_LT(m.gradient, 1e-6) << share;
+      EXPECT_LT(m.hessian, 1e-6) << share;
+    }
+    std::vector<Vec3> below = turned(net, 70.0, random);
+    std::vector<Vec3> above = below;
+    const Vec3 t = (below[2] - below[1]).normalized();
+    below[2] = below[1] + 0.2 * 1.1 * (1.0 - 1e-9) * t;
+    above[2] = above[1] + 0.2 * 1.1 * (1.0 + 1e-9) * t;
+    EXPECT_NEAR(law.energy(below), law.energy(above), 1e-8 * law.energy(above));
+  }
+}
+
 TEST(Bending, EnergyOfAJointIsThatOfItsCurvature) {
   Random random(8);
   for (double phi_deg : {0.0, 1e-3, 5.0, 45.0, 90.0, 150.0, 179.0}) {
