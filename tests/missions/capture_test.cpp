@@ -10,7 +10,8 @@ namespace {
 using namespace retiarius::testing;
 
 TEST(Capture, AllPhasesRunOnACoarseNet) {
-  const RecordedRun run = run_file("capture", {"net.mesh=0.5", "net.segments=1"});
+  const RecordedRun run =
+      run_file("capture", {"net.mesh=0.4", "net.segments=1", "phase[0].grip_spacing=0.8"});
   ASSERT_EQ(run.report.outcome, Outcome::finished) << run.report.reason;
   expect_sound(run);
   ASSERT_EQ(run.report.phases.size(), 5u);
