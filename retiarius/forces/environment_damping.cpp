@@ -7,7 +7,7 @@ namespace {
 // The velocity that the step's damping force averages to: the trapezoid takes the mean of the
 // velocities at its two ends.
 Vec3 mean_velocity(const Step& step, Index i, const Vec3& y) {
-  const Vec3 stage = step.stage_velocity(i, y);
+  Vec3 stage = step.stage_velocity(i, y);
   if (step.strain_rate != Step::StrainRate::trapezoid) return stage;
   return 0.5 * (stage + step.start->v[static_cast<std::size_t>(i)]);
 }

@@ -10,7 +10,7 @@ namespace retiarius {
 namespace {
 
 constexpr double kArmijo = 1e-4;
-constexpr double kSmallestFraction = 1e-10;
+constexpr int kMostHalvings = 33;  // down to 1e-10
 
 // Finds a direction of descent: with the full Hessian first, with the projected one if that has
 // a pivot that is not positive.
@@ -27,7 +27,8 @@ bool find_descent(NewtonProblem& problem, NewtonResult& result) {
 double line_search(NewtonProblem& problem, double& value) {
   const double slope = problem.slope();
   const double noise = 1e-12 * std::abs(value) + 1e-300;
-  for (double fraction = 1.0; fraction > kSmallestFraction; fraction *= 0.5) {
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
+    const double fraction = std::ldexp(1.0, -halvings);
     problem.move(fraction);
     double trial = fraction == 1.0 ? problem.assemble(false) : problem.potential();
     if (!std::isfinite(trial)) continue;
