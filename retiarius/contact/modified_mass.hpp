@@ -11,7 +11,7 @@ namespace retiarius {
 // filtered so that it cannot move against the surface; it is released when the surface would have
 // to pull. A touching node ends the step at the thread's radius from the surface. With friction it
 // first sticks (all directions blocked); where the tangential reaction exceeds friction times the
-// normal one it slides, with that force against the slip.
+// normal one it slides, with that force against the slip, until the step ends.
 //
 // Entry is found by following each node's path relative to the body through the step, so a node
 // does not jump through a body; segments between nodes are not seen.

@@ -72,6 +72,16 @@ void check_same_net(const State& state, const Network& network, const char* what
                   what, state.x.size(), network.mass.size()));
 }
 
+// Energy that the rounding of strains alone can make, J: a strain of 1e-7 in all threads, far above
+// that of coordinates kilometres from the origin and far below any motion.
+double round_off_energy(const Network& network) {
+  constexpr double kStrain = 1e-7;
+  double sum = 0.0;
+  for (const Segment& s : network.segments)
+    sum += 0.5 * network.materials[s.material].axial_stiffness * s.rest_length * kStrain * kStrain;
+  return sum;
+}
+
 State first_state(const Mission& mission, const MissionModel& model, const RunOptions& options) {
   State state = initial_state(model.network, model.bodies);
   if (!mission.net.state.empty()) {
@@ -148,8 +158,8 @@ class MissionLoop {
   double fraction_ = 0.0;
   std::string broken_;
   Index row_phase_ = 0;
-  double energy_scale_ = 0.0;                // J
-  double first_gravity_energy_ = kInfinity;  // of the phase, J
+  double energy_scale_ = round_off_energy(network_);  // J
+  double first_gravity_energy_ = kInfinity;           // of the phase, J
   Clock::time_point started_ = Clock::now();
   Clock::time_point saved_ = Clock::now();
 };
@@ -342,7 +352,8 @@ void MissionLoop::check_energy(const HistoryRow& row) {
     row_phase_ = row.phase;
   }
   if (row.integrator_loss >= 0.0)
-    energy_scale_ = std::max(energy_scale_, row.kinetic_energy + row.stretching_energy);
+    energy_scale_ =
+        std::max(energy_scale_, row.kinetic_energy + row.stretching_energy + row.bending_energy);
   energy_scale_ = std::max({energy_scale_, std::abs(row.prescribed_work),
                             std::abs(row.gravity_energy - first_gravity_energy_)});
   if (-row.integrator_loss <= kGrowth * energy_scale_) return;
