@@ -37,8 +37,10 @@ State initial_state(const Network& network, const std::vector<Body>& bodies);
 
 class Simulation {
  public:
-  // Network and bodies must outlive the simulation.
-  Simulation(const Network& network, const std::vector<Body>& bodies, State state);
+  // Network and bodies must outlive the simulation. `wrap` sees every law before it joins; what the
+  // simulation reports of energies and tensions is that of its own laws.
+  Simulation(const Network& network, const std::vector<Body>& bodies, State state,
+             LawWrapper wrap = {});
 
   // Sets surroundings, integrator and contact for the steps that follow.
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
@@ -76,6 +78,7 @@ class Simulation {
   const LinearSolver& solver() const { return problem_->solver(); }
 
  private:
+  void add_law(std::unique_ptr<Law> law);
   bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
                 std::string& failure);
   std::vector<Vec3> start_acceleration();
@@ -92,6 +95,7 @@ class Simulation {
   IntegratorSpec integrator_;
   ContactSpec contact_;
   State state_;
+  LawWrapper wrap_;
   std::vector<std::unique_ptr<Law>> laws_;
   Stretching* stretching_ = nullptr;
   BendingLaw* bending_ = nullptr;

@@ -1,0 +1,71 @@
+// retiarius verify: the verification cases, told as a table and written as JSON and a page.
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/console.hpp"
+#include "retiarius/base/parallel.hpp"
+#include "retiarius/record/file.hpp"
+#include "verification/framework/ladder.hpp"
+#include "verification/framework/results_json.hpp"
+#include "verification/framework/results_text.hpp"
+
+namespace retiarius::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace verification;
+
+struct VerifyArguments {
+  std::vector<std::string> cases;
+  std::string out = "out/verification";
+  ComputingArguments computing;
+  bool list = false, quick = false;
+};
+
+void write_results(const std::vector<Rung>& rungs, const VerifyArguments& arguments) {
+  const fs::path out = arguments.out;
+  fs::create_directories(out);
+  write_atomically(out / "verification.json", results_json(rungs, arguments.quick));
+}
+
+ExitCode verify(const VerifyArguments& arguments) {
+  const std::vector<const Case*> cases = chosen_cases(arguments.cases);
+  if (arguments.list) {
+    print(list_text(cases));
+    return kOk;
+  }
+  arguments.computing.apply();
+  // The cases are small and many: each has one thread of its own.
+  const int workers = threads();
+  set_threads(1);
+  const std::vector<Rung> rungs =
+      climb(cases, arguments.quick, workers, [](const Rung& rung) { print(case_text(rung)); });
+  print(verdict_text(rungs));
+  write_results(rungs, arguments);
+  print(fmt::format("\nreport: {}\n", (fs::path(arguments.out) / "verification.html").string()));
+  return passes(rungs) ? kOk : kFailed;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, ExitCode& code) {
+  CLI::App* command =
+      app.add_subcommand("verify", "Compare with exact, published and independent results");
+  auto arguments = std::make_shared<VerifyArguments>();
+  command->add_option("CASE", arguments->cases, "Cases to run; default all")->type_name("");
+  command->add_option("--out", arguments->out, "Folder for the results; default out/verification")
+      ->type_name("DIR");
+  command->add_flag("--list", arguments->list, "List the cases and end");
+  command->add_flag("--quick", arguments->quick, "The quick form: minutes become seconds");
+  arguments->computing.add_to(*command);
+  command->footer("Exit codes: 0 all within bounds; 1 a case missed its bound; 2 wrong usage.");
+  command->callback([arguments, &code] { code = verify(*arguments); });
+}
+
+}  // namespace retiarius::program
