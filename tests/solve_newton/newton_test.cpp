@@ -20,6 +20,8 @@ class Scalars : public NewtonProblem {
  public:
   Vector x, base, direction, gradient;
   Matrix hessian;
+  Eigen::LLT<Matrix> factor;
+  int factorisations = 0;
   std::function<double(const Vector&)> value;
   std::function<Vector(const Vector&)> slope_of;
   std::function<Matrix(const Vector&)> curvature;
@@ -38,14 +40,22 @@ class Scalars : public NewtonProblem {
     }
     return value(x);
   }
+  double evaluate() override {
+    gradient = slope_of(x);
+    return value(x);
+  }
   double potential() override { return value(x); }
   bool find_direction() override {
-    const Eigen::LLT<Matrix> factor(hessian);
+    factor.compute(hessian);
     if (factor.info() != Eigen::Success) return false;
+    ++factorisations;
+    reuse_direction();
+    return true;
+  }
+  void reuse_direction() override {
     residuals.push_back(gradient.norm());
     base = x;
     direction = factor.solve(-gradient);
-    return true;
   }
   double slope() const override { return gradient.dot(direction); }
   void move(double fraction) override { x = base + fraction * direction; }
