@@ -112,19 +112,28 @@ double midpoint_deflection(double load, double flexibility) {
     end.angle = u[1];
     return integrate(line, end, 0.5).back();
   };
-  // Followed from a small load, where the line is a beam.
-  double reached = std::min(load, 1.0);
+  // Followed from a small load, where the line is a beam, along powers of the load.
+  double reached = std::min(load, 1.0), growth = 1.0;
   unknown[1] = -reached / 16.0;
+  Eigen::Vector2d before = unknown;
   for (;;) {
     line.lift = -0.5 * reached;
-    unknown = newton(
+    const Eigen::Vector2d found = newton(
         [&](const Eigen::Vector2d& u) {
           const Station middle = half(u);
           return Eigen::Vector2d(middle.x - 0.5, middle.angle);
         },
         unknown);
-    if (reached >= load) break;
-    reached = std::min(load, 1.2 * reached);
+    if (reached >= load) {
+      unknown = found;
+      break;
+    }
+    const double next = std::min(load, 1.2 * reached);
+    const double part = growth > 1.0 ? std::log(next / reached) / std::log(growth) : 0.0;
+    unknown = found + part * (found - before);
+    before = found;
+    growth = next / reached;
+    reached = next;
   }
   return -half(unknown).y;
 }

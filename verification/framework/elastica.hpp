@@ -52,6 +52,7 @@ Elastica elastica(double k);
 std::vector<HangingLine> hanging_lines(double span, const std::vector<double>& weights);
 
 // Pinned ends a distance L apart, load (in EI / L^2) at midspan, extensible. Deflection / L.
+// Shooting loses itself where sqrt(pull) is far above 10: as the line becomes a cable.
 double midpoint_deflection(double load, double flexibility);
 
 }  // namespace retiarius::verification

@@ -12,7 +12,7 @@ namespace retiarius::verification {
 // At rest under gravity (m/s2) with the nodes of `held` where the net has them at first; positions
 // and the supports' forces. The net is changed where the present fault says so. Throws RunError.
 State equilibrium(const Context& context, Network net, const Vec3& gravity,
-                  const std::vector<Index>& held, double tolerance = 1e-10);
+                  const std::vector<Index>& held, double tolerance = 1e-8);
 
 // Makes a thread weigh nothing but `load` (kg) at one node: under 1 m/s2 a point force in N. The
 // other nodes keep 1e-12 of it, as masses must be positive.

@@ -202,7 +202,7 @@ Case heavy_cantilever_case() {
       "problem's, linear theory's and the elastica's, with both curvatures, and the order at which "
       "it reaches the elastica.";
   c.source = "independent computation";
-  c.guards = {"bending", "gravity", "mass"};
+  c.guards = {"stretching", "bending", "gravity", "mass"};
   c.run = run;
   return c;
 }
