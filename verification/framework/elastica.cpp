@@ -1,10 +1,12 @@
 #include "verification/framework/elastica.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Core>
 
 #include "retiarius/base/vec.hpp"
+#include "verification/framework/catenary.hpp"
 #include "verification/framework/roots.hpp"
 
 namespace retiarius::verification {
@@ -20,19 +22,38 @@ State4 slope(const ElasticLine& line, double s, const State4& u) {
   return {stretch * c, stretch * d, u[3], stretch * (line.pull * d - up * c)};
 }
 
-// The half of a hanging line to the right of its middle, and by how much it misses span and moment.
-std::vector<Station> right_half(double weight, double pull, double curvature) {
+// The half of a hanging line to the right of its middle, as far as it is of use.
+std::vector<Station> right_half(const ElasticLine& line, double curvature) {
+  Station middle;
+  middle.curvature = curvature;
+  return integrate(line, middle, 0.5, 500, true);
+}
+
+// The half without moment at its end. With too small a curvature of the middle the line is straight
+// before its end, with too large a one it winds up.
+std::vector<Station> free_half(double pull, double weight, double flexibility) {
   ElasticLine line;
   line.pull = pull;
   line.weight = weight;
-  Station middle;
-  middle.curvature = curvature;
-  return integrate(line, middle, 0.5);
+  line.flexibility = flexibility;
+  const double most = 20.0 + 4.0 * std::cbrt(weight);
+  const double curvature =
+      bisect([&](double k) { return right_half(line, k).back().curvature; }, 1e-12, most);
+  return integrate(line, {0.0, 0.0, 0.0, 0.0, curvature}, 0.5, 500);
+}
+
+HangingLine hanging(double pull, std::vector<Station> half) {
+  HangingLine line;
+  line.pull = pull;
+  line.sag = half.back().y;
+  line.half = std::move(half);
+  return line;
 }
 
 }  // namespace
 
-std::vector<Station> integrate(const ElasticLine& line, const Station& from, double to, int steps) {
+std::vector<Station> integrate(const ElasticLine& line, const Station& from, double to, int steps,
+                               bool until_decided) {
   const double h = (to - from.s) / steps;
   State4 u(from.x, from.y, from.angle, from.curvature);
   std::vector<Station> result = {from};
@@ -44,6 +65,7 @@ std::vector<Station> integrate(const ElasticLine& line, const Station& from, dou
     const State4 k4 = slope(line, s + h, u + h * k3);
     u += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
     result.push_back({from.s + (k + 1) * h, u[0], u[1], u[2], u[3]});
+    if (until_decided && (u[3] < 0.0 || u[2] > kPi)) break;
   }
   return result;
 }
@@ -75,31 +97,18 @@ Elastica elastica(double k) {
   return {std::pow(2.0 * first / kPi, 2), 2.0 * second / first - 1.0, k / first};
 }
 
-std::vector<HangingLine> hanging_lines(double span, const std::vector<double>& weights) {
-  const double k = bisect([&](double q) { return elastica(q).span - span; }, 1e-6, 0.9089);
-  const double load = kPi * kPi * elastica(k).load;
-  Eigen::Vector2d unknown(-load, 2.0 * k * std::sqrt(load));  // pull, curvature of the middle
-  const auto solve = [&](double weight) {
-    const Plane misses = [&](const Eigen::Vector2d& u) {
-      const Station end = right_half(weight, u[0], u[1]).back();
-      return Eigen::Vector2d(end.x - 0.5 * span, end.curvature);
-    };
-    unknown = newton(misses, unknown);
+HangingLine hanging_line(double span, double weight, double flexibility) {
+  const auto miss = [&](double pull) {
+    return free_half(pull, weight, flexibility).back().x - 0.5 * span;
   };
-  std::vector<HangingLine> result;
-  double reached = 0.0;
-  for (double weight : weights) {
-    while (reached < weight) {
-      reached = std::min(weight, std::max(1.15 * reached, 2.0));
-      solve(reached);
-    }
-    HangingLine line;
-    line.pull = unknown[0];
-    line.half = right_half(weight, unknown[0], unknown[1]);
-    line.sag = line.half.back().y;
-    result.push_back(line);
-  }
-  return result;
+  // From more push than any elastica bears to more pull than a catenary's.
+  const double pull =
+      root(miss, -30.0 - std::cbrt(weight * weight), 1.0 + 2.0 * weight * catenary(span).pull);
+  return hanging(pull, free_half(pull, weight, flexibility));
+}
+
+HangingLine free_hanging_line(double weight, double flexibility) {
+  return hanging(0.0, free_half(0.0, weight, flexibility));
 }
 
 double midpoint_deflection(double load, double flexibility) {

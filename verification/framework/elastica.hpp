@@ -23,9 +23,10 @@ struct Station {
   double angle = 0.0, curvature = 0.0;
 };
 
-// From a station to s = `to`, in equal steps of fourth order; the first station is `from`.
+// From a station to s = `to`, in equal steps of fourth order; the first station is `from`. Where
+// asked for it ends with the first station of negative curvature or of an angle beyond pi.
 std::vector<Station> integrate(const ElasticLine& line, const Station& from, double to,
-                               int steps = 1000);
+                               int steps = 1000, bool until_decided = false);
 
 // A cantilever, horizontal at its clamp s = 0, with weight and a load at its tip (in EI / L^2).
 // From the clamp in the origin to the tip.
@@ -37,6 +38,8 @@ struct HangingLine {
   double pull = 0.0;          // horizontal force in the line, EI / L^2; negative: pushed
   double sag = 0.0;           // of its middle below its ends
   std::vector<Station> half;  // from the middle to the right end
+
+  double span() const { return 2.0 * half.back().x; }
 };
 
 // Euler's elastica without weight, in closed form. k is the sine of half its end slope.
@@ -47,9 +50,11 @@ struct Elastica {
 };
 Elastica elastica(double k);
 
-// The heavy line: followed by continuation from the weightless elastica to each weight of an
-// ascending list.
-std::vector<HangingLine> hanging_lines(double span, const std::vector<double>& weights);
+// The heavy line; weight in EI / L^3, above 0.
+HangingLine hanging_line(double span, double weight, double flexibility = 0.0);
+
+// The heavy line whose ends are so far apart that nothing pulls or pushes them horizontally.
+HangingLine free_hanging_line(double weight, double flexibility = 0.0);
 
 // Pinned ends a distance L apart, load (in EI / L^2) at midspan, extensible. Deflection / L.
 // Shooting loses itself where sqrt(pull) is far above 10: as the line becomes a cable.

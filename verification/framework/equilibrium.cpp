@@ -27,7 +27,8 @@ void lay_on_arc(Network& net, double span) {
   double length = 0.0;
   for (const Segment& e : net.segments) length += e.rest_length;
   // Half the arc's angle from chord / arc.
-  const double half = bisect([&](double q) { return std::sin(q) / q - span / length; }, 1e-6, kPi);
+  const double half =
+      bisect([&](double q) { return std::sin(q) / q - span / length; }, 1e-6, 1.01 * kPi);
   const double radius = 0.5 * length / half;
   double s = 0.0;
   for (Index k = 0; k < net.node_count(); ++k) {

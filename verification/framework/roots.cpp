@@ -26,6 +26,26 @@ double bisect(const std::function<double(double)>& f, double a, double b) {
   return 0.5 * (a + b);
 }
 
+double root(const std::function<double(double)>& f, double a, double b) {
+  const double close = 1e-13 * std::abs(b - a);
+  double fa = f(a), fb = f(b);
+  if (std::signbit(fa) == std::signbit(fb)) throw Error("root: no change of sign");
+  for (int k = 0; k < 200 && std::abs(b - a) > close && fb != 0.0; ++k) {
+    const double c = k % 8 == 7 ? 0.5 * (a + b) : b - fb * (b - a) / (fb - fa);
+    const double fc = f(c);
+    if (std::abs(c - b) <= close) return c;
+    if (std::signbit(fc) != std::signbit(fb)) {
+      a = b;
+      fa = fb;
+    } else {
+      fa *= 0.5;
+    }
+    b = c;
+    fb = fc;
+  }
+  return b;
+}
+
 Eigen::Vector2d newton(const Plane& f, Eigen::Vector2d x) {
   Eigen::Vector2d r = f(x);
   for (int k = 0; k < 60; ++k) {
