@@ -275,7 +275,7 @@ void tell_limits(Context& context) {
       free_hanging_line(100.0).span() * std::cbrt(100.0), l, shortest * l));
   context.note(
       "The sag tells little: it follows from the length, and between elastica and catenary differs "
-      "by 10 % even with ends 0.3 L apart. The sign of the horizontal force tells at once.");
+      "by 12 % even with ends 0.3 L apart. The sign of the horizontal force tells at once.");
 }
 
 void run(Context& context) {
