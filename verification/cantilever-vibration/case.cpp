@@ -162,12 +162,11 @@ void compare_damped(Context& context) {
   Track limit = exact;
   for (std::size_t k = 0; k < limit.t.size(); ++k)
     limit.z[k] = (8.0 * c.z[8 * k] - 6.0 * b.z[4 * k] + a.z[2 * k]) / 3.0;
-  context.absolute(
-      "largest difference of the tip, mu = 2 1/s, implicit Euler extrapolated", "m",
-      worst(limit, exact), 0.0, 2e-4,
-      "a fifth of what h = 0.25 ms leaves: extrapolation takes the first two orders of "
-      "the error away, but not of modes faster than the step",
-      kReference);
+  context.absolute("largest difference of the tip, mu = 2 1/s, implicit Euler extrapolated", "m",
+                   worst(limit, exact), 0.0, 2e-4,
+                   "a fifth of what h = 0.25 ms leaves: extrapolation takes the first two orders "
+                   "of the error away, but not of modes faster than the step",
+                   kReference);
   Chart chart = swing_chart("Vibration with damping", mu);
   chart.curves = {thinned("implicit Euler, h = 1 ms", a, CurveStyle::line),
                   thinned("implicit Euler, h = 0.25 ms", c, CurveStyle::line),
@@ -255,8 +254,7 @@ void run(Context& context) {
   context.note(
       "Implicit Euler loses a tenth of the swing in the first half period at h = 10 ms and 1 % at "
       "1 ms; Newmark keeps it. The released rod is no single mode: its minima differ by 0.1 % "
-      "among "
-      "themselves, and intervals between them by 0.6 %, in the reference as in the program.");
+      "among themselves, and intervals between them by 0.6 %, in the reference as in the program.");
   context.note(
       "Nodes 0 and 1 are clamped. The slope is then held in the middle of their segment, from "
       "where the frequency of the small rod converges to Euler-Bernoulli's with second order; "
@@ -273,11 +271,10 @@ Case cantilever_vibration_case() {
   c.figure = "Fig. 15";
   c.about =
       "A round rod of 0.1 m (E 10 MPa, rho 1000 kg/m3, r0 1 mm, bounded curvature, 50 nodes, two "
-      "of "
-      "them clamped) is let go level under 10 m/s2. Compared: minima of the tip by implicit Euler "
-      "and Newmark; the whole swing with a Runge-Kutta solution of the same equations, with and "
-      "without damping mu; the first frequency and its decay in small motions with the discrete "
-      "eigenvalue, and that with Euler-Bernoulli.";
+      "of them clamped) is let go level under 10 m/s2. Compared: minima of the tip by implicit "
+      "Euler and Newmark; the whole swing with a Runge-Kutta solution of the same equations, with "
+      "and without damping mu; the first frequency and its decay in small motions with the "
+      "discrete eigenvalue, and that with Euler-Bernoulli.";
   c.source = "independent computation";
   c.guards = {"stretching", "bending", "gravity", "environment damping", "mass"};
   c.run = run;

@@ -154,10 +154,9 @@ Case step_convergence_case() {
   c.group = Group::convergence;
   c.about =
       "A thrown thread of three soft segments held at one end, and a soft rod of six that falls "
-      "about "
-      "its hinge (both curvatures), with and without material and environmental damping, by each "
-      "integrator with ever shorter steps. Compared: the end positions with a Runge-Kutta solution "
-      "of the same equations, and how their error falls with the step.";
+      "about its hinge (both curvatures), with and without material and environmental damping, by "
+      "each integrator with ever shorter steps. Compared: the end positions with a Runge-Kutta "
+      "solution of the same equations, and how their error falls with the step.";
   c.source = "the same equations written anew, classical Runge-Kutta";
   c.guards = {"stretching",          "bending",          "gravity",
               "environment damping", "material damping", "mass"};

@@ -144,10 +144,8 @@ Case string_waves_case() {
   c.group = Group::dynamics;
   c.about =
       "Standing waves across and along a stretched thread (EA 100 N, 0.01 kg/m, 2 % strain) "
-      "between "
-      "held ends. Compared: their frequencies with the lattice's 2 sqrt(k/m) |sin(q a/2)| up to "
-      "the "
-      "shortest wave, the longest wave's speed with sqrt(T/m') and sqrt(EA/m').";
+      "between held ends. Compared: their frequencies with the lattice's 2 sqrt(k/m) |sin(q a/2)| "
+      "up to the shortest wave, the longest wave's speed with sqrt(T/m') and sqrt(EA/m').";
   c.source = "exact: 2 sqrt(k/m) |sin(q a/2)|";
   c.guards = {"stretching", "mass"};
   c.run = run;
