@@ -24,9 +24,10 @@ struct EdgeDerivatives {
 // rest length, g = (l^2 / s + s) / 2 with s that length, smooth to first order.
 struct Direction {
   Vec3 e, t;
-  double g;  // m
-  double q;  // g' / (g^2 l), 1/m3: dt/de = I / g - q e e^T
-  double r;  // q' / l, 1/m5
+  double g;           // m
+  double q;           // g' / (g^2 l), 1/m3: dt/de = I / g - q e e^T
+  double r;           // q' / l, 1/m5
+  double lack = 0.0;  // 1 - |t|^2: exactly 0 where t is a unit vector
 };
 constexpr double kShort = 0.2;
 
@@ -43,6 +44,7 @@ Direction direction(const Vec3& a, const Vec3& b, double rest_length) {
     d.g = 0.5 * (l * l / s + s);
     d.q = 1.0 / (s * d.g * d.g);
     d.r = -2.0 * d.q / (s * d.g);
+    d.lack = 1.0 - l * l / (d.g * d.g);
   }
   d.t = d.e / d.g;
   return d;
@@ -51,6 +53,10 @@ Direction direction(const Vec3& a, const Vec3& b, double rest_length) {
 struct Edges {
   Direction one, two;
   double c;
+
+  // 1 - c without cancellation: the rounding of 1 - 1 would drown the energy of turns below some
+  // 1e-5 rad, and with it the fall that a line search looks for.
+  double bent() const { return 0.5 * ((one.t - two.t).squaredNorm() + one.lack + two.lack); }
 };
 
 Edges edges(const std::vector<Vec3>& y, Index a, Index b, Index c, double rest1, double rest2) {
@@ -147,7 +153,8 @@ double BendingLaw::energy(const std::vector<Vec3>& x) const {
   for (const Element& e : elements_) {
     const Edges d = edges(x, e.a, e.b, e.c, e.rest1, e.rest2);
     if (e.kind == Bending::tangent && d.c <= -1.0) return kInfinity;
-    sum += e.factor * squared_curvature(e.kind, d.c).value;
+    const double bent = 2.0 * d.bent();
+    sum += e.factor * (e.kind == Bending::tangent ? 2.0 * bent / (1.0 + d.c) : bent);
   }
   return sum;
 }
