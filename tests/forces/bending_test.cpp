@@ -125,6 +125,16 @@ TEST(Bending, EnergyOfAJointIsThatOfItsCurvature) {
 }
 
 // A folded thread: the bounded energy is 1/2 (EI / lv) 4, the tangent one infinite.
+// EI phi^2 / 2 l_v to the rounding of the places, where 1 - cos(phi) is itself below rounding.
+TEST(Bending, EnergyOfTheSmallestTurnsIsNotLostInRounding) {
+  for (Bending kind : {Bending::bounded, Bending::tangent}) {
+    const Network net = one_joint(kind, 1.0, 1.0);
+    const double phi = 1e-9;
+    const std::vector<Vec3> y = {{-1, 0, 0}, {0, 0, 0}, {std::cos(phi), std::sin(phi), 0}};
+    EXPECT_NEAR(BendingLaw(net).energy(y) / (0.5 * kEI * phi * phi), 1.0, 1e-6);
+  }
+}
+
 TEST(Bending, FoldedThreads) {
   const Network net = one_joint(Bending::bounded, 1.0, 1.0);
   const std::vector<Vec3> folded{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
