@@ -31,11 +31,12 @@ void compare(Context& context, const MissionRun& run, double angle) {
                    "round-off of positions over h, as a random walk over the steps",
                    "conservation of momentum");
   const double flight = kCircumradius / std::tan(radians(angle));
-  context.relative("flight at the widest over R / tan(angle)" + at, "1",
-                   run.measure("mouth_area_max_travel") / flight, 1.04, 0.015,
-                   "\"about 1.04\" is the mean over angles of 1.036 and 1.047; the step moves it by 0.001",
-                   "independent computation; Zhang et al., Advances in Space Research 68 (2021) 1960, "
-                   "find that it depends mainly on circumradius and angle");
+  context.relative(
+      "flight at the widest over R / tan(angle)" + at, "1",
+      run.measure("mouth_area_max_travel") / flight, 1.04, 0.015,
+      "\"about 1.04\" is the mean over angles of 1.036 and 1.047; the step moves it by 0.001",
+      "independent computation; Zhang et al., Advances in Space Research 68 (2021) 1960, "
+      "find that it depends mainly on circumradius and angle");
 }
 
 void run(Context& context) {
@@ -51,7 +52,8 @@ void run(Context& context) {
   flight.x_label = "travel of the corners / (R / tan angle)";
   flight.y_label = "mouth area / area of the flat net";
   flight.caption = "The same shots; the widest mouth is at the same scaled distance, about 1.04.";
-  flight.source = "independent computation: about 1.04, as in Zhang et al., Advances in Space Research 68 "
+  flight.source =
+      "independent computation: about 1.04, as in Zhang et al., Advances in Space Research 68 "
       "(2021) 1960";
   Curve read{"read from the paper's figure", {}, {}, CurveStyle::points};
   Curve known{"1.04", {}, {}, CurveStyle::dashed};
