@@ -78,8 +78,9 @@ void compare_order(Context& context) {
   chart.log_x = chart.log_y = true;
   chart.caption = "Up to 0.3 s, about the origin; linear momentum is kept to round-off by all.";
   chart.source = "conservation of angular momentum: 0; own convergence";
-  const std::vector<double> steps = context.quick() ? std::vector<double>{2e-3, 1e-3}
-                                                    : std::vector<double>{2e-3, 1e-3, 5e-4, 2.5e-4};
+  const std::vector<double> steps =
+      context.quick() ? std::vector<double>{2e-3, 1e-3}
+                      : std::vector<double>{2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5};
   for (const char* method : kMethods) {
     Curve curve{method, {}, {}};
     for (double h : steps) {
@@ -93,7 +94,9 @@ void compare_order(Context& context) {
     chart.curves.push_back(curve);
     context.absolute(
         fmt::format("change of angular momentum at h = {:g} ms, {}", 1e3 * steps.back(), method),
-        "1", curve.y.back(), 0.0, 4.0 * steps.back(), "PLACEHOLDER",
+        "1", curve.y.back(), 0.0, 0.5 * steps.back(),
+        "first order through the lever of the predicted pose: 0.13 h to 0.36 h was measured from 2 "
+        "to 0.25 ms, irregular as contacts come and go",
         "conservation of angular momentum");
   }
   context.chart(chart);

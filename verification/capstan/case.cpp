@@ -171,7 +171,7 @@ Case capstan_case() {
       "the ratio of tensions while it slides, for four coefficients of friction, and that it holds "
       "at 0.9 of the largest load.";
   c.source = "Euler and Eytelwein: T2 / T1 = e^(mu theta)";
-  c.guards = {"friction"};
+  c.guards = {"friction", "gravity"};
   c.run = run;
   return c;
 }

@@ -176,7 +176,7 @@ Case falling_on_bodies_case() {
       "the "
       "net's weight; shown: the net at rest, and how its motion converges.";
   c.source = "equilibrium";
-  c.guards = {"gravity", "mass", "environment damping"};
+  c.guards = {"gravity", "mass"};
   c.run = run;
   return c;
 }
