@@ -137,7 +137,7 @@ void refine_mesh(Context& context) {
   for (int s : {1, 2, 3}) {
     const MissionRun run =
         context.run("mission", {"integrator.method=implicit-euler", "integrator.step=0.002",
-                                fmt::format("net.segments={}", s), "phase[0].until=time >= 1.4"});
+                                fmt::format("net.segments={}", s), "phase[0].until=time >= 1.2"});
     add(chart, s == 1 ? "1 segment a piece" : fmt::format("{} segments a piece", s), run);
     widest.push_back(run.measure("mouth_area_max"));
   }
