@@ -1,7 +1,7 @@
 // retiarius verify: the verification cases, told as a table and written as JSON and a page.
+#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -10,8 +10,11 @@
 #include "program/console.hpp"
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/record/file.hpp"
+#include "retiarius/report/chart_svg.hpp"
 #include "verification/framework/ladder.hpp"
+#include "verification/framework/page.hpp"
 #include "verification/framework/results_json.hpp"
+#include "verification/framework/results_markdown.hpp"
 #include "verification/framework/results_text.hpp"
 
 namespace retiarius::program {
@@ -28,10 +31,20 @@ struct VerifyArguments {
   bool list = false, quick = false;
 };
 
-void write_results(const std::vector<Rung>& rungs, const VerifyArguments& arguments) {
+void write_results(const std::vector<Rung>& rungs, const VerifyArguments& arguments,
+                   double wall_time) {
   const fs::path out = arguments.out;
-  fs::create_directories(out);
+  fs::create_directories(out / "figures");
+  const Recorded recorded = recorded_comparisons();
   write_atomically(out / "verification.json", results_json(rungs, arguments.quick));
+  write_atomically(out / "verification.html",
+                   verification_page(rungs, {arguments.quick, wall_time, recorded}));
+  write_atomically(out / "verification.md",
+                   results_markdown(rungs, recorded, "figures", arguments.quick));
+  for (const Rung& rung : rungs)
+    for (std::size_t k = 0; k < rung.result.charts.size(); ++k)
+      write_atomically(out / "figures" / figure_name(*rung.of, k),
+                       chart_svg(rung.result.charts[k], ChartLook::standalone));
 }
 
 ExitCode verify(const VerifyArguments& arguments) {
@@ -44,10 +57,12 @@ ExitCode verify(const VerifyArguments& arguments) {
   // The cases are small and many: each has one thread of its own.
   const int workers = threads();
   set_threads(1);
+  const auto start = std::chrono::steady_clock::now();
   const std::vector<Rung> rungs =
       climb(cases, arguments.quick, workers, [](const Rung& rung) { print(case_text(rung)); });
   print(verdict_text(rungs));
-  write_results(rungs, arguments);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  write_results(rungs, arguments, wall.count());
   print(fmt::format("\nreport: {}\n", (fs::path(arguments.out) / "verification.html").string()));
   return passes(rungs) ? kOk : kFailed;
 }

@@ -30,7 +30,7 @@ double at_decade(int decade, int digit) { return digit * std::pow(10.0, decade);
 
 std::string log_label(int decade, int digit, bool plain) {
   if (plain) return fmt::format("{:g}", at_decade(decade, digit));
-  const std::string power = decade == 0 ? "1" : power_of_ten(decade);
+  const std::string power = decade == 0 ? "1" : decade == 1 ? "10" : power_of_ten(decade);
   if (digit == 1) return power;
   return decade == 0 ? fmt::format("{}", digit) : fmt::format("{}\u00b7{}", digit, power);
 }

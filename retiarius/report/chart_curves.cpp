@@ -13,7 +13,7 @@ namespace retiarius {
 
 namespace {
 
-constexpr std::size_t kSamples = 600;  // of a line
+constexpr std::size_t kSamples = 400;  // of a line
 constexpr std::size_t kMarkers = 60;   // of points
 constexpr std::size_t kFew = 14;       // a line of so few samples shows each of them
 constexpr double kMarkerSize = 3.4, kSparseSize = 3.0;

@@ -35,7 +35,9 @@ const ChartPaint& page_paint() {
 }
 
 const std::string& color_of(const ChartPaint& paint, std::size_t curve) {
-  return paint.series[curve % std::size(paint.series)];
+  // The sixth and the seventh change places: ink stands out from the blue of the first curve.
+  constexpr std::size_t order[] = {0, 1, 2, 3, 4, 6, 5};
+  return paint.series[order[curve % std::size(order)]];
 }
 
 const char* dashes(std::size_t n) {
