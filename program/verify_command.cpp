@@ -8,20 +8,15 @@
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/console.hpp"
+#include "program/verification_results.hpp"
 #include "retiarius/base/parallel.hpp"
-#include "retiarius/record/file.hpp"
-#include "retiarius/report/chart_svg.hpp"
 #include "verification/framework/ladder.hpp"
-#include "verification/framework/page.hpp"
-#include "verification/framework/results_json.hpp"
-#include "verification/framework/results_markdown.hpp"
 #include "verification/framework/results_text.hpp"
 
 namespace retiarius::program {
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace verification;
 
 struct VerifyArguments {
@@ -30,22 +25,6 @@ struct VerifyArguments {
   ComputingArguments computing;
   bool list = false, quick = false;
 };
-
-void write_results(const std::vector<Rung>& rungs, const VerifyArguments& arguments,
-                   double wall_time) {
-  const fs::path out = arguments.out;
-  fs::create_directories(out / "figures");
-  const Recorded recorded = recorded_comparisons();
-  write_atomically(out / "verification.json", results_json(rungs, arguments.quick));
-  write_atomically(out / "verification.html",
-                   verification_page(rungs, {arguments.quick, wall_time, recorded}));
-  write_atomically(out / "verification.md",
-                   results_markdown(rungs, recorded, "figures", arguments.quick));
-  for (const Rung& rung : rungs)
-    for (std::size_t k = 0; k < rung.result.charts.size(); ++k)
-      write_atomically(out / "figures" / figure_name(*rung.of, k),
-                       chart_svg(rung.result.charts[k], ChartLook::standalone));
-}
 
 ExitCode verify(const VerifyArguments& arguments) {
   const std::vector<const Case*> cases = chosen_cases(arguments.cases);
@@ -62,9 +41,10 @@ ExitCode verify(const VerifyArguments& arguments) {
       climb(cases, arguments.quick, workers, [](const Rung& rung) { print(case_text(rung)); });
   print(verdict_text(rungs));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  write_results(rungs, arguments, wall.count());
-  print(fmt::format("\nreport: {}\n", (fs::path(arguments.out) / "verification.html").string()));
-  return passes(rungs) ? kOk : kFailed;
+  const ExitCode code = conclude(rungs, arguments.out, arguments.quick, wall.count());
+  print(fmt::format("\nreport: {}\n",
+                    (std::filesystem::path(arguments.out) / "verification.html").string()));
+  return code;
 }
 
 }  // namespace
