@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/build_info.hpp"
+#include "retiarius/report/chart_page.hpp"
 #include "retiarius/report/chart_svg.hpp"
 #include "retiarius/report/svg_plot.hpp"
 #include "retiarius/solve/kernels.hpp"
@@ -201,7 +202,7 @@ std::string verification_page(const std::vector<Rung>& rungs, const PageOptions&
       "<p class=\"brand\">Retiarius</p><h1>Verification</h1>"
       "<p class=\"lead\">Is it right? Every case computes something whose answer is known exactly, "
       "published, or computed independently, and draws ours over it.</p>",
-      kPageStyle);
+      kChartPageStyle);
   html += verdict_html(rungs, options) + "\n" + contents_html(rungs, others) + "\n";
   const Case* before = nullptr;
   for (const Rung& rung : rungs) {

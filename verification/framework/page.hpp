@@ -19,7 +19,4 @@ struct PageOptions {
 // anything outside.
 std::string verification_page(const std::vector<Rung>& rungs, const PageOptions& options);
 
-// The style sheet.
-extern const char* const kPageStyle;
-
 }  // namespace retiarius::verification

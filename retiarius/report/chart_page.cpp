@@ -1,10 +1,10 @@
-#include "verification/framework/page.hpp"
+#include "retiarius/report/chart_page.hpp"
 
-namespace retiarius::verification {
+namespace retiarius {
 
 // The variables --ink, --soft, --grid, --card and --c0 ... --c6 colour the charts
-// (report/chart_paint.hpp).
-const char* const kPageStyle = R"css(
+// (chart_paint.hpp).
+const char* const kChartPageStyle = R"css(
 :root{color-scheme:light dark;--paper:#f6f7f9;--card:#fff;--ink:#1b2330;--soft:#5b6675;
 --line:#dfe3e9;--grid:#e3e7ec;--good:#0b7a55;--bad:#b3261b;--badcard:#fdeceb;
 --c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#b0578d;--c4:#a87500;--c5:#3a96cf;--c6:#1b2330}
@@ -80,4 +80,4 @@ td{display:flex;gap:.8em}td::before{content:attr(data-l);flex:0 0 5.6em;color:va
 details::details-content{content-visibility:visible;height:auto}}
 )css";
 
-}  // namespace retiarius::verification
+}  // namespace retiarius
