@@ -28,6 +28,20 @@ std::string failure(const std::string& csv) {
   return "";
 }
 
+TEST(ParseRecorded, LeavesAbsentNumbersOut) {
+  const Recorded r = parse_recorded("value,net,distance,m,-,-,0.1,0.2\n");
+  EXPECT_EQ(recorded_text(r.comparisons[0].ours, 3, "m"), "\u2013");
+  EXPECT_EQ(recorded_text(r.comparisons[0].difference, 3, "m"), "0.100 m");
+}
+
+// What is built in is there to be read.
+TEST(RecordedComparisons, AreWithinTheirBounds) {
+  const Recorded r = recorded_comparisons();
+  EXPECT_FALSE(r.about.empty());
+  ASSERT_FALSE(r.comparisons.empty());
+  for (const RecordedComparison& c : r.comparisons) EXPECT_LE(c.difference, c.bound) << c.quantity;
+}
+
 TEST(ParseRecorded, NamesALineThatIsWrong) {
   EXPECT_EQ(failure("scene,net,1.5\n"),
             "recorded comparisons: a line of neither kind: \"scene,net,1.5\"");

@@ -178,10 +178,11 @@ std::string recorded_html(const Recorded& recorded) {
       "<th>other</th><th>difference</th><th>bound</th></tr></thead><tbody>";
   for (const RecordedComparison& c : recorded.comparisons)
     html += fmt::format(
-        "<tr><th scope=\"row\">{}: {}</th><td data-l=\"ours\">{}{}</td><td data-l=\"other\">{}{}"
+        "<tr><th scope=\"row\">{}: {}</th><td data-l=\"ours\">{}</td><td data-l=\"other\">{}"
         "</td><td data-l=\"difference\">{}</td><td data-l=\"bound\">\u2264 {}</td></tr>",
-        escape_html(c.scene), escape_html(c.quantity), printed(c.ours, 7), unit_text(c.unit),
-        printed(c.theirs, 7), unit_text(c.unit), printed(c.difference, 2), printed(c.bound, 2));
+        escape_html(c.scene), escape_html(c.quantity), recorded_text(c.ours, 7, c.unit),
+        recorded_text(c.theirs, 7, c.unit), recorded_text(c.difference, 2, c.unit),
+        recorded_text(c.bound, 2, c.unit));
   html += "</tbody></table></div>";
   for (const RecordedScene& s : recorded.scenes)
     html += fmt::format(

@@ -1,11 +1,13 @@
 #include "verification/framework/recorded.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "verification/framework/comparison_text.hpp"
 #include "verification/framework/context.hpp"
 
 namespace retiarius::verification {
@@ -20,6 +22,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 double number(const std::string& cell, const std::string& line) {
+  if (cell == "-") return NAN;
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
   if (cell.empty() || *end != '\0')
@@ -28,6 +31,11 @@ double number(const std::string& cell, const std::string& line) {
 }
 
 }  // namespace
+
+std::string recorded_text(double value, int digits, const std::string& unit) {
+  if (std::isnan(value)) return "\u2013";
+  return printed(value, digits) + unit_text(unit);
+}
 
 Recorded parse_recorded(const std::string& csv) {
   Recorded recorded;

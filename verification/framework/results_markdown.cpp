@@ -113,9 +113,9 @@ std::string recorded_markdown(const Recorded& recorded) {
   for (const std::string& about : recorded.about) text += plain(about) + "\n\n";
   text += "| scene | quantity | ours | other | difference | bound |\n|---|---|---|---|---|---|\n";
   for (const RecordedComparison& c : recorded.comparisons)
-    text += fmt::format("| {} | {} | {}{} | {}{} | {} | {} |\n", plain(c.scene), plain(c.quantity),
-                        printed(c.ours, 7), unit_text(c.unit), printed(c.theirs, 7),
-                        unit_text(c.unit), printed(c.difference, 2), printed(c.bound, 2));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", plain(c.scene), plain(c.quantity),
+                        recorded_text(c.ours, 7, c.unit), recorded_text(c.theirs, 7, c.unit),
+                        recorded_text(c.difference, 2, c.unit), recorded_text(c.bound, 2, c.unit));
   text += "\n| scene | time, ours | time, other |\n|---|---|---|\n";
   for (const RecordedScene& s : recorded.scenes)
     text += fmt::format("| {} | {} s | {} s |\n", plain(s.name), printed(s.our_time, 2),
