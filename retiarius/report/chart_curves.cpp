@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kSamples = 400;  // of a line
 constexpr std::size_t kMarkers = 60;   // of points
 constexpr std::size_t kFew = 14;       // a line of so few samples shows each of them
-constexpr double kMarkerSize = 3.4, kSparseSize = 3.0;
+constexpr double kMarkerSize = 4.0, kSparseSize = 2.6;
 
 // Samples that hold the extremes of both coordinates.
 std::vector<std::size_t> kept_samples(const Curve& curve, std::size_t limit) {
@@ -86,7 +86,7 @@ std::string line_svg(const DrawnCurve& curve, const std::string& d, const ChartP
 std::string one_marker(const DrawnCurve& curve, double x, double y, const ChartPaint& paint) {
   const std::string& color = color_of(paint, curve.number);
   return marker_svg(curve.number, x, y, curve.hollow ? kMarkerSize : kSparseSize, color,
-                    curve.hollow ? paint.paper : color);
+                    curve.hollow ? "none" : color);
 }
 
 DrawnCurve drawn(const Curve& given, bool log_x, bool log_y,

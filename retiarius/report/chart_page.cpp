@@ -33,8 +33,8 @@ nav{margin-top:16px;columns:340px auto;column-gap:32px}
 nav h2{margin:0 0 .4em;font-size:1.1rem;column-span:all}
 nav h3{margin:.7em 0 .2em;font-size:.92rem;color:var(--soft);font-weight:600;break-after:avoid}
 nav ul{margin:0;padding:0;list-style:none}
-nav li{margin:.15em 0;padding-left:4.6em;text-indent:-4.6em;break-inside:avoid}
-.badge{display:inline-block;min-width:3.9em;margin-right:.7em;padding:.05em .5em;border-radius:5px;
+nav li{margin:.15em 0;padding-left:5.2em;text-indent:-5.2em;break-inside:avoid}
+.badge{display:inline-block;min-width:4.9em;margin-right:.7em;padding:.05em .5em;border-radius:5px;
 font-size:.75rem;font-weight:600;text-align:center;text-indent:0;color:var(--good);
 border:1px solid currentColor}
 .badge.drawn{color:var(--soft)}
