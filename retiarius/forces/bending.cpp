@@ -24,9 +24,10 @@ struct EdgeDerivatives {
 // rest length, g = (l^2 / s + s) / 2 with s that length, smooth to first order.
 struct Direction {
   Vec3 e, t;
-  double g;  // m
-  double q;  // g' / (g^2 l), 1/m3: dt/de = I / g - q e e^T
-  double r;  // q' / l, 1/m5
+  double g;     // m
+  double q;     // g' / (g^2 l), 1/m3: dt/de = I / g - q e e^T
+  double r;     // q' / l, 1/m5
+  double lack;  // 1 - t . t: none but where the segment is too short
 };
 constexpr double kShort = 0.2;
 
@@ -37,10 +38,12 @@ Direction direction(const Vec3& a, const Vec3& b, double rest_length) {
   const double s = kShort * rest_length;
   if (l >= s) {
     d.g = l;
+    d.lack = 0.0;
     d.q = 1.0 / (l * l * l);
     d.r = -3.0 * d.q / (l * l);
   } else {
     d.g = 0.5 * (l * l / s + s);
+    d.lack = 1.0 - l * l / (d.g * d.g);
     d.q = 1.0 / (s * d.g * d.g);
     d.r = -2.0 * d.q / (s * d.g);
   }
@@ -50,12 +53,14 @@ Direction direction(const Vec3& a, const Vec3& b, double rest_length) {
 
 struct Edges {
   Direction one, two;
-  double c;
+  double c;    // t1 . t2
+  double gap;  // 1 - c, with its own relative precision
 };
 
 Edges edges(const std::vector<Vec3>& y, Index a, Index b, Index c, double rest1, double rest2) {
-  Edges e{direction(y[a], y[b], rest1), direction(y[b], y[c], rest2), 0.0};
+  Edges e{direction(y[a], y[b], rest1), direction(y[b], y[c], rest2), 0.0, 0.0};
   e.c = e.one.t.dot(e.two.t);
+  e.gap = 0.5 * ((e.one.t - e.two.t).squaredNorm() + e.one.lack + e.two.lack);
   return e;
 }
 
@@ -107,10 +112,10 @@ void add_block(BlockMatrix& m, Index slot, bool keep, const Mat3& block) {
 
 }  // namespace
 
-SquaredCurvature squared_curvature(Bending kind, double c) {
-  if (kind == Bending::bounded) return {2.0 * (1.0 - c), -2.0, 0.0};
+SquaredCurvature squared_curvature(Bending kind, double c, double gap) {
+  if (kind == Bending::bounded) return {2.0 * gap, -2.0, 0.0};
   const double q = 1.0 + c;
-  return {4.0 * (1.0 - c) / q, -8.0 / (q * q), 16.0 / (q * q * q)};
+  return {4.0 * gap / q, -8.0 / (q * q), 16.0 / (q * q * q)};
 }
 
 BendingLaw::BendingLaw(const Network& network) {
@@ -147,7 +152,7 @@ double BendingLaw::energy(const std::vector<Vec3>& x) const {
   for (const Element& e : elements_) {
     const Edges d = edges(x, e.a, e.b, e.c, e.rest1, e.rest2);
     if (e.kind == Bending::tangent && d.c <= -1.0) return kInfinity;
-    sum += e.factor * squared_curvature(e.kind, d.c).value;
+    sum += e.factor * squared_curvature(e.kind, d.c, d.gap).value;
   }
   return sum;
 }
@@ -157,7 +162,8 @@ void BendingLaw::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out
   for (std::size_t n = 0; n < elements_.size(); ++n) {
     const Element& e = elements_[n];
     const Edges d = edges(y, e.a, e.b, e.c, e.rest1, e.rest2);
-    EdgeDerivatives f = differentiate(d, squared_curvature(e.kind, d.c), out.hessian != nullptr);
+    EdgeDerivatives f =
+        differentiate(d, squared_curvature(e.kind, d.c, d.gap), out.hessian != nullptr);
     const Vec3 g1 = e.factor * f.gradient.head<3>();
     const Vec3 g2 = e.factor * f.gradient.tail<3>();
     g[e.a] -= g1;
@@ -187,7 +193,8 @@ std::vector<double> node_curvatures(const Network& network, const std::vector<Ve
                           network.segments[j.second].rest_length);
     const Bending kind = network.materials[network.segments[j.first].material].bending;
     const double kappa = std::sqrt(std::max(
-        0.0, squared_curvature(kind == Bending::tangent ? kind : Bending::bounded, d.c).value));
+        0.0,
+        squared_curvature(kind == Bending::tangent ? kind : Bending::bounded, d.c, d.gap).value));
     result[j.b] = std::max(result[j.b], kappa / j.voronoi_length);
   }
   return result;

@@ -8,13 +8,16 @@
 
 namespace retiarius {
 
-// Integrated curvature |kappa| squared as a function of c = cos(phi), and its derivatives.
+// Integrated curvature |kappa| squared as a function of c = cos(phi), and its derivatives. `gap` is
+// 1 - c, which the caller knows better than the difference does: of a nearly straight joint that
+// keeps the round-off eps of c, and thereby eps EI / lv of energy, more than a stiff, lightly
+// loaded rod holds.
 // Bounded (Huang et al. 2022, Eq. 7): 2 sin(phi/2), squared 2 (1 - c).
 // Tangent (Eq. 8; Bergou et al. 2008): 2 tan(phi/2), squared 4 (1 - c) / (1 + c).
 struct SquaredCurvature {
   double value, first, second;
 };
-SquaredCurvature squared_curvature(Bending kind, double c);
+SquaredCurvature squared_curvature(Bending kind, double c, double gap);
 
 // Bending energy 1/2 (EI / lv) |kappa|^2 at each joint of a thread that is straight at rest. Where
 // a segment is shorter than a fifth of its rest length, as only slack tension-only threads can be,

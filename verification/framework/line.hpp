@@ -9,6 +9,9 @@
 
 namespace retiarius::verification {
 
+// For simulations without bodies, which must outlive them.
+inline const std::vector<Body> kNoBodies;
+
 // A solid round thread: EA, EI and line density from E (Pa), rho (kg/m3) and r0 (m).
 Material solid_thread(double young_modulus, double density, double radius,
                       Bending bending = Bending::none);
