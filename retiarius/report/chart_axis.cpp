@@ -75,7 +75,7 @@ ChartAxis log_axis(const Extent& extent) {
   const auto digit_of = [](double value, int decade) { return value / std::pow(10.0, decade); };
   int low_digit = std::max(1, static_cast<int>(std::floor(digit_of(low, first) + 1e-9)));
   int high_digit = std::max(1, static_cast<int>(std::ceil(digit_of(high, last) - 1e-9)));
-  if (first == last && high_digit - low_digit < 2) {  // too short to be read: widened
+  if (first == last && high_digit - low_digit < 1) {  // too short to be read: widened
     low_digit = std::max(1, low_digit - 1);
     high_digit += 1;
   }

@@ -75,6 +75,12 @@ std::string marker_svg(std::size_t n, double x, double y, double size, const std
   }
 }
 
+const char* superscript(char digit) {
+  constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                    "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  return raised[digit - '0'];
+}
+
 double text_width(const std::string& text, double font_size) {
   constexpr std::string_view narrow = " .,:;'|!()[]/iljtfrI-";
   constexpr std::string_view wide = "mwMWQOGD@%";
@@ -82,11 +88,11 @@ double text_width(const std::string& text, double font_size) {
   for (char c : text) {
     if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // inside a UTF-8 character
     if (narrow.find(c) != std::string_view::npos)
-      width += 0.36;
+      width += 0.38;
     else if (wide.find(c) != std::string_view::npos)
-      width += 0.88;
+      width += 0.96;
     else
-      width += 0.62;
+      width += 0.645;
   }
   return width * font_size;
 }

@@ -27,6 +27,9 @@ const char* dashes(std::size_t n);
 std::string marker_svg(std::size_t n, double x, double y, double size, const std::string& stroke,
                        const std::string& fill);
 
+// The digit, raised.
+const char* superscript(char digit);
+
 // About how wide the text is at a font size, in the same unit; never too small for common fonts.
 double text_width(const std::string& text, double font_size);
 

@@ -1,6 +1,7 @@
 #include "retiarius/report/chart_svg.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 
@@ -31,11 +32,30 @@ struct Layout {
   PixelBox frame{};
 };
 
-// "force / N" in units of 10^-3: "force / 10^-3 N".
-std::string label_text(const std::string& label, int exponent) {
+// "L^3" and the unit "m2" with superscripts.
+std::string with_superscripts(const std::string& label) {
+  const std::size_t slash = label.rfind(" / ");
+  const std::size_t unit = slash == std::string::npos ? label.size() : slash;
+  std::string text;
+  for (std::size_t k = 0; k < label.size(); ++k) {
+    const bool power = label[k] == '^' && k + 1 < label.size() && std::isdigit(label[k + 1]) != 0;
+    if (power) ++k;
+    if (power ||
+        (k > unit + 3 && (label[k] == '2' || label[k] == '3') && std::isalpha(label[k - 1]) != 0))
+      text += superscript(label[k]);
+    else
+      text += label[k];
+  }
+  return text;
+}
+
+// "force / N" in units of 10^-3: "force / 10^-3 N"; what has the unit 1 says none.
+std::string label_text(const std::string& given, int exponent) {
+  std::string label = with_superscripts(given);
+  if (label.ends_with(" / 1")) label.resize(label.size() - 4);
   if (exponent == 0) return label;
   const std::string power = power_of_ten(exponent);
-  const std::size_t slash = label.rfind(" / ");
+  const std::size_t slash = given.ends_with(" / 1") ? std::string::npos : label.rfind(" / ");
   if (slash == std::string::npos) return label + " / " + power;
   return label.substr(0, slash) + " / " + power + " " + label.substr(slash + 3);
 }
@@ -102,7 +122,10 @@ std::string axes_svg(const Chart& chart, const Layout& layout, const ChartPaint&
     const double x = px(layout.x.ticks[k]);
     grid += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, f.top, f.bottom);
     ticks += fmt::format("M{:.1f} {:.1f}v-6", x, f.bottom);
-    texts += text_svg(x, f.bottom + 15.0, "middle", paint.soft, layout.x.labels[k]);
+    // A label at the end of the axis stays within the picture.
+    const double half = 0.5 * text_width(layout.x.labels[k], kFont);
+    texts += text_svg(std::min(x, kWidth - 1.0 - half), f.bottom + 15.0, "middle", paint.soft,
+                      layout.x.labels[k]);
   }
   for (double v : layout.x.minor) ticks += fmt::format("M{:.1f} {:.1f}v-3", px(v), f.bottom);
   for (std::size_t k = 0; k < layout.y.ticks.size(); ++k) {

@@ -112,6 +112,18 @@ TEST(ChartSvg, PutsThePowerOfTenBeforeTheUnit) {
   EXPECT_THAT(chart_svg(chart, ChartLook::page), HasSubstr(">height / 10\u207b\u2076 m</text>"));
 }
 
+TEST(ChartSvg, WritesLabelsAsTheyArePrinted) {
+  Chart chart = two_lines();
+  chart.x_label = "P L^2 / EI / 1";
+  chart.y_label = "mouth area / m2";
+  const std::string svg = chart_svg(chart, ChartLook::page);
+  EXPECT_THAT(svg, HasSubstr(">P L\u00b2 / EI</text>"));
+  EXPECT_THAT(svg, HasSubstr(">mouth area / m\u00b2</text>"));
+  chart.curves = {{"", {0, 1}, {0, 2e-6}, CurveStyle::line}};
+  chart.y_label = "error / 1";
+  EXPECT_THAT(chart_svg(chart, ChartLook::page), HasSubstr(">error / 10\u207b\u2076</text>"));
+}
+
 TEST(ChartSvg, ShowsPointsAsMarkersWithoutLine) {
   Chart chart = two_lines();
   chart.curves.erase(chart.curves.begin());
