@@ -45,6 +45,7 @@ class Watch {
   Observer* at(std::size_t level) {
     if (!status_possible()) {
       print(fmt::format("running {}\n", plan_.levels[level].name));
+      flush_output();
       return nullptr;
     }
     progress_ = std::make_unique<Progress>();
@@ -85,6 +86,7 @@ ExitCode converge(const ConvergeArguments& arguments) {
   guard.keep();
 
   print(plan_text(plan) + "\n");
+  flush_output();
   Watch watch(plan);
   options.watch = [&](std::size_t level) { return watch.at(level); };
   const Study study = retiarius::converge(plan, options);

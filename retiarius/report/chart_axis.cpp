@@ -30,7 +30,7 @@ double at_decade(int decade, int digit) { return digit * std::pow(10.0, decade);
 
 std::string log_label(int decade, int digit, bool plain) {
   if (plain) return fmt::format("{:g}", at_decade(decade, digit));
-  const std::string power = decade == 0 ? "1" : decade == 1 ? "10" : power_of_ten(decade);
+  std::string power = decade == 0 ? "1" : decade == 1 ? "10" : power_of_ten(decade);
   if (digit == 1) return power;
   return decade == 0 ? fmt::format("{}", digit) : fmt::format("{}\u00b7{}", digit, power);
 }
@@ -81,10 +81,7 @@ ChartAxis log_axis(const Extent& extent) {
   }
   axis.low = at_decade(first, low_digit);
   axis.high = at_decade(last, high_digit);
-  if (high_digit == 10) {
-    ++last;
-    high_digit = 1;
-  }
+  if (high_digit == 10) ++last;
   const double decades = std::log10(axis.high / axis.low);
   const int every = std::max(1, static_cast<int>(std::ceil(decades / 7.0)));
   const bool plain = axis.low >= 0.009 && axis.high <= 1000.5;

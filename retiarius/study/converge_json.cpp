@@ -51,7 +51,7 @@ Json series_json(const Series& series, const SeriesResult& result) {
 }  // namespace
 
 std::string converge_json(const Study& study) {
-  const BuildInfo build = build_info();
+  const BuildInfo& build = build_info();
   Json levels = Json::array(), series = Json::array();
   for (std::size_t k = 0; k < study.levels.size(); ++k)
     levels.push_back(level_json(study.plan.levels[k], study.levels[k]));

@@ -1,3 +1,6 @@
+#include <csignal>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +61,22 @@ TEST(ConvergeCommand, FailsWhereNoTwoLevelsCanBeCompared) {
                   "--set", "integrator.max_iterations=4", "--out", "c"});
   EXPECT_EQ(result.exit_code, 1) << result.out;
   EXPECT_TRUE(folder.has("c/converge.html"));
+}
+
+TEST(ConvergeCommand, KeepsWhatWasComputedWhenInterrupted) {
+  const WorkFolder folder;
+  folder.write("endless.toml", testing::endless_mission());
+  testing::Process process({"converge", "endless.toml", "--vary", "step", "--out", "c"},
+                           folder.path());
+  for (int k = 0; k < 500 && !folder.has("c"); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  process.send(SIGINT);
+  const ProcessResult result = process.wait();
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  const auto json = nlohmann::json::parse(folder.read("c/converge.json"));
+  EXPECT_EQ(json["interrupted"], true);
+  EXPECT_EQ(json["levels"][1]["reason"], "not begun");
 }
 
 TEST(ConvergeCommand, RefusesWrongInputAndWritesNothing) {

@@ -235,7 +235,7 @@ TEST(FreePlace, IsWhereNoCurveRuns) {
   ASSERT_TRUE(below);
   EXPECT_GT(below->top, 15.0);
   std::vector<PixelLine> everywhere;
-  for (double y = 0; y <= 100; y += 10) everywhere.push_back({{0, y}, {100, y}});
+  for (int k = 0; k <= 10; ++k) everywhere.push_back({{0, 10.0 * k}, {100, 10.0 * k}});
   EXPECT_FALSE(free_place(everywhere, frame, 20, 20));
   EXPECT_FALSE(free_place({}, frame, 120, 20));
 }

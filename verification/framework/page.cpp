@@ -42,7 +42,7 @@ std::string verdict_html(const std::vector<Rung>& rungs, const PageOptions& opti
     }
     html += "</ul>";
   }
-  const BuildInfo build = build_info();
+  const BuildInfo& build = build_info();
   return html + fmt::format(
                     "<p class=\"soft\">Retiarius {} ({}), {} kernels, {} form, {:.0f} s.</p>"
                     "</section>",

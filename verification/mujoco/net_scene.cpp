@@ -52,6 +52,7 @@ std::vector<Vec3> twin_rest(const Network& net, double& time) {
   } while (!(twin.largest_speed() < kRestSpeed));
   time = watch.seconds();
   std::vector<Vec3> x;
+  x.reserve(net.initial.size());
   for (Index i = 0; i < net.node_count(); ++i) x.push_back(twin.position(i));
   return x;
 }
