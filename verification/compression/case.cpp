@@ -296,7 +296,7 @@ Case compression_case() {
   Case c;
   c.name = "compression";
   c.title = "Ends brought together: Euler's elastica against the catenary";
-  c.group = Group::rods;
+  c.group = Group::paper;
   c.figure = "Fig. 18";
   c.about =
       "The pinned ends of a heavy thread are brought together, for rho A g L^3 / EI from 0 to "

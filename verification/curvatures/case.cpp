@@ -118,7 +118,7 @@ Case curvatures_case() {
   Case c;
   c.name = "curvatures";
   c.title = "Both curvatures against turning angle";
-  c.group = Group::rods;
+  c.group = Group::paper;
   c.figure = "Fig. 13";
   c.about =
       "One joint between segments of 0.8 and 1.1 m is turned from 0 to 180 degrees. Energy and "

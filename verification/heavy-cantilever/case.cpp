@@ -194,7 +194,7 @@ Case heavy_cantilever_case() {
   Case c;
   c.name = "heavy-cantilever";
   c.title = "Heavy cantilever: linear theory, elastica, both curvatures";
-  c.group = Group::rods;
+  c.group = Group::paper;
   c.figure = "Fig. 14";
   c.about =
       "A horizontal cantilever (L 1 m, E 1 GPa, r0 1 mm, rho 1000 kg/m3) under gravity, over four "

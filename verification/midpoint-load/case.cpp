@@ -125,7 +125,7 @@ Case midpoint_load_case() {
   Case c;
   c.name = "midpoint-load";
   c.title = "Midpoint load: from beam to cable";
-  c.group = Group::rods;
+  c.group = Group::paper;
   c.figure = "Fig. 17";
   c.about =
       "A line pinned at both ends (L 1 m, r0 1 cm, E 1 GPa: EI 7.854 N m2, EA 314 kN) under a "
