@@ -18,9 +18,9 @@ TEST(Printed, WritesNumbersAsPeopleDo) {
   EXPECT_EQ(printed(NAN, 2), "not a number");
 }
 
-TEST(OursText, GoesOneDigitBeyondTheBound) {
+TEST(OursText, GoesAsFarAsTheBound) {
   const Comparison c = testing::made_comparison();
-  EXPECT_EQ(ours_text(c), "0.1234568");
+  EXPECT_EQ(ours_text(c), "0.123457");
   EXPECT_EQ(reference_text(c), "0.123457");
   EXPECT_EQ(error_text(c), "2.1\u00b710\u207b\u2077 m");
   EXPECT_EQ(bound_text(c), "1\u00b710\u207b\u2076 m");
@@ -32,7 +32,7 @@ TEST(OursText, TakesARelativeBoundFromTheReference) {
   c.ours = 1234.5678;
   c.reference = 1234.0;
   c.bound = 1e-3;
-  EXPECT_EQ(ours_text(c), "1234.6");
+  EXPECT_EQ(ours_text(c), "1235");
   EXPECT_EQ(reference_text(c), "1234");
   EXPECT_EQ(error_text(c), "4.6\u00b710\u207b\u2074 rel.");
 }
@@ -49,7 +49,11 @@ TEST(ErrorText, DoesNotShowWhatRoundOffDecides) {
   EXPECT_EQ(one, all());
   EXPECT_EQ(one, "0|< 1\u00b710\u207b\u00b9\u00b2 abs.");
   c.bound = 1e-3;
-  EXPECT_EQ(error_text(c), "< 1\u00b710\u207b\u00b9\u00b9 abs.");
+  EXPECT_EQ(error_text(c), "< 1\u00b710\u207b\u2075 abs.");
+  c.ours = 2.34e-5;
+  EXPECT_EQ(error_text(c), "2\u00b710\u207b\u2075 abs.");
+  c.ours = 2.34e-4;
+  EXPECT_EQ(error_text(c), "2.3\u00b710\u207b\u2074 abs.");
 }
 
 TEST(ErrorText, ShowsAMissedBoundOfRoundOff) {

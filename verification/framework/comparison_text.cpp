@@ -11,7 +11,9 @@ namespace retiarius::verification {
 
 namespace {
 
-constexpr double kRoundOff = 1e-11;   // errors below it are no news
+constexpr double kRoundOff = 1e-11;  // errors below it are no news
+// Shares of the bound below which an error may be what round-off left of an iteration.
+constexpr double kNegligible = 0.01;
 constexpr double kExactBound = 1e-9;  // a bound that only allows for round-off
 constexpr const char* kMinus = "\u2212";
 
@@ -26,11 +28,11 @@ double allowed(const Comparison& c) {
   return c.kind == ErrorKind::relative ? c.bound * std::abs(c.reference) : c.bound;
 }
 
-// Significant digits of numbers as large as those compared that reach one place beyond the bound.
+// Significant digits of numbers as large as those compared that reach the place of the bound.
 int digits_of(const Comparison& c) {
   const double size = std::max(std::abs(c.ours), std::abs(c.reference));
   if (!(allowed(c) > 0.0) || !std::isfinite(size) || size == 0.0) return 10;
-  return std::clamp(magnitude(size) - magnitude(allowed(c)) + 2, 3, 10);
+  return std::clamp(magnitude(size) - magnitude(allowed(c)) + 1, 3, 10);
 }
 
 std::string value_text(const Comparison& c, double value) {
@@ -82,9 +84,10 @@ std::string error_text(const Comparison& c) {
   const double error = c.error();
   if (c.passes() && c.bound <= kExactBound) return "< " + bound_text(c);
   const double scale = c.kind == ErrorKind::relative ? 1.0 : std::max(1.0, std::abs(c.reference));
-  if (error < kRoundOff * scale)
-    return "< " + without_end_zeros(printed(kRoundOff * scale, 1)) + kind_text(c);
-  return without_end_zeros(printed(error, 2)) + kind_text(c);
+  const double limit = std::max(kRoundOff * scale, kNegligible * c.bound);
+  if (error < limit) return "< " + without_end_zeros(printed(limit, 2)) + kind_text(c);
+  const int digits = error < 0.1 * c.bound ? 1 : 2;
+  return without_end_zeros(printed(error, digits)) + kind_text(c);
 }
 
 std::string bound_text(const Comparison& c) {

@@ -8,12 +8,13 @@
 
 namespace retiarius::verification {
 
-// Ours and the reference, to one digit beyond the bound, at most ten: what round-off decides is not
-// shown, so that pages do not depend on the machine.
+// Ours and the reference, to the last place that the bound reaches, at most ten digits: what
+// round-off decides is not shown, so that pages do not depend on the machine.
 std::string ours_text(const Comparison& c);
 std::string reference_text(const Comparison& c);
 
-// "3.1·10^-5 rel.", "0.0021 m"; errors at the level of round-off are told as smaller than a limit.
+// "3.1·10^-5 rel.", "0.0021 m"; errors at the level of round-off, or below a hundredth of the
+// bound, where the end of an iteration may decide, are told as smaller than a limit.
 std::string error_text(const Comparison& c);
 std::string bound_text(const Comparison& c);
 
