@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "retiarius/forces/element_chunks.hpp"
+#include "retiarius/forces/element_kernels.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/law.hpp"
 
@@ -30,7 +32,7 @@ class BendingLaw final : public Law {
   void couple(BlockPattern& pattern) const override;
   void bind(const BlockPattern& pattern) override;
   double potential(const Step& step, const std::vector<Vec3>& y) const override;
-  void assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
+  double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
 
   double energy(const std::vector<Vec3>& x) const;  // J
   bool empty() const { return elements_.empty(); }
@@ -42,12 +44,15 @@ class BendingLaw final : public Law {
     double factor;        // EI / (2 lv), J
     Bending kind;
   };
-  std::vector<Element> elements_;
-  struct Slots {
-    Index ab, ac, bc;
-    bool ab_row_a, ac_row_a, bc_row_b;  // whether the first node is the row of the stored block
-  };
-  std::vector<Slots> slots_;
+  double sum(const std::vector<Vec3>& y, const kernels::ElementSums& out) const;
+  void assemble_definite(const std::vector<Vec3>& y, Assembly& out) const;
+
+  std::vector<Element> elements_;  // those of the bounded curvature first
+  // The same, as the kernels read them, with padding.
+  std::vector<Index> a_, b_, c_, ab_, ac_, bc_;
+  std::vector<double> rest1_, rest2_, factor_;
+  ElementChunks chunks_;
+  long bounded_ = 0;  // elements of the bounded curvature
 };
 
 // Curvature |kappa| / lv at each node, the largest of its joints, 1/m.

@@ -79,6 +79,13 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
                                                contact.friction);
 }
 
+// Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
+bool Simulation::reuses_factors() const {
+  if (integrator_.solver != Solver::automatic) return integrator_.solver == Solver::reuse;
+  return std::all_of(network_->materials.begin(), network_->materials.end(),
+                     [](const Material& m) { return m.compression; });
+}
+
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions
 // far from the origin; nor inertia better than the rounding of positions.
 double Simulation::force_floor(const Step& step) const {
@@ -159,8 +166,10 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   }
   settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;
+  settings.reuse = reuses_factors();
   const NewtonResult result = minimise(*problem_, settings);
   report.iterations += result.iterations;
+  report.factorisations += result.factorisations;
   report.projections += result.projections;
   if (!result.converged) {
     failure = result.failure;
@@ -304,6 +313,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     settings.step_tolerance = integrator_.tolerance * length_scale_;
     settings.round_off_step = round_off_step();
     settings.max_iterations = integrator_.max_iterations;
+    settings.reuse = reuses_factors();
     const NewtonResult result = minimise(*problem_, settings);
     report.iterations += result.iterations;
     if (!result.converged) {

@@ -25,9 +25,10 @@ using PrescribedMotion = std::function<std::vector<Prescribed>(double time)>;
 
 // What one accepted step took.
 struct StepReport {
-  double h = 0.0;       // s
-  int iterations = 0;   // Newton's, those of failed attempts included
-  int halvings = 0;     // before the step was accepted
+  double h = 0.0;      // s
+  int iterations = 0;  // Newton's, those of failed attempts included
+  int halvings = 0;    // before the step was accepted
+  int factorisations = 0;
   int projections = 0;  // of the Hessian
 };
 
@@ -84,6 +85,7 @@ class Simulation {
   std::vector<Vec3> start_acceleration();
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
+  bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
   void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,

@@ -51,8 +51,10 @@ class StepProblem final : public NewtonProblem {
   void begin(Start start);
 
   double assemble(bool definite) override;
+  double evaluate() override;
   double potential() override;
   bool find_direction() override;
+  void reuse_direction() override;
   double slope() const override;
   void move(double fraction) override;
   double direction_size() const override;
@@ -84,15 +86,18 @@ class StepProblem final : public NewtonProblem {
     void clear();
   };
 
+  double sum_up(Assembly out);
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
   void build_borders();
   void build_border_diagonal();
   void filter_matrix();
-  void solve_bordered(const std::vector<Vec6>& body_gradient);
-  void solve_columns();
-  void reduce_to_bodies(const std::vector<Vec6>& body_gradient);
+  void solve_for_direction();
+  void solve_bordered();
+  void solve_border_columns();
+  void build_schur();
+  Vec6 border_times(std::size_t body, const Vec3* x) const;
   std::vector<Vec6> reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
@@ -120,7 +125,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
-  std::vector<Vec3> columns_;          // right-hand sides of net and borders, then solutions
+  std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, one column after the other
   Eigen::MatrixXd schur_;
   Eigen::VectorXd schur_rhs_;
   Eigen::LDLT<Eigen::MatrixXd> schur_factor_;

@@ -45,8 +45,8 @@ class Law {
   // the residual. Infinity where y is inadmissible.
   virtual double potential(const Step&, const std::vector<Vec3>& y) const = 0;
 
-  // Adds gradient and, where wanted, Hessian of the incremental potential.
-  virtual void assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
+  // Adds gradient and, where wanted, Hessian of the incremental potential; returns the potential.
+  virtual double assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
 
   // Adds what the step from its start through stage y to positions x1 exchanged.
   virtual void account(const Step&, const std::vector<Vec3>& /*y*/, const std::vector<Vec3>& /*x1*/,

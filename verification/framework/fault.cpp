@@ -21,17 +21,18 @@ class ScaledLaw final : public Law {
     return factor_ * law_->potential(step, y);
   }
 
-  void assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override {
+  double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override {
     std::vector<Vec3> gradient(y.size(), Vec3::Zero());
     Assembly own{&gradient, out.hessian ? &scratch_ : nullptr, out.definite};
     if (out.hessian) scratch_.set_zero();
-    law_->assemble(step, y, own);
+    const double value = factor_ * law_->assemble(step, y, own);
     for (std::size_t i = 0; i < y.size(); ++i) (*out.gradient)[i] += factor_ * gradient[i];
-    if (!out.hessian) return;
+    if (!out.hessian) return value;
     for (std::size_t i = 0; i < scratch_.diagonal.size(); ++i)
       out.hessian->diagonal[i] += factor_ * scratch_.diagonal[i];
     for (std::size_t k = 0; k < scratch_.below.size(); ++k)
       out.hessian->below[k] += factor_ * scratch_.below[k];
+    return value;
   }
 
   void account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
