@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/build_info.hpp"
+#include
 #include "retiarius/report/chart_page.hpp"
 #include "retiarius/report/chart_svg.hpp"
 #include "retiarius/report/svg_plot.hpp"
-#include "retiarius/solve/kernels.hpp"
 #include "verification/framework/comparison_text.hpp"
 
 namespace retiarius::verification {
