@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/build_info.hpp"
-#include
+#include "retiarius/base/instruction_set.hpp"
 #include "retiarius/report/chart_page.hpp"
 #include "retiarius/report/chart_svg.hpp"
 #include "retiarius/report/svg_plot.hpp"
