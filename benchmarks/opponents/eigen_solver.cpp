@@ -1,3 +1,6 @@
+// Eigen's METIS support needs the streams that it does not include.
+#include <iostream>
+
 #include <Eigen/MetisSupport>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
