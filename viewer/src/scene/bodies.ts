@@ -29,8 +29,8 @@ export class Bodies {
   }
 
   colours(theme: Theme): void {
-    this.surface.color.set(theme === "dark" ? "#7d8a9b" : "#b9c2cd");
-    this.edge.color.set(theme === "dark" ? "#0c1118" : "#5c6877");
-    this.edge.opacity = theme === "dark" ? 0.55 : 0.5;
+    this.surface.color.set(theme === "dark" ? "#a9b5c4" : "#c3cbd5");
+    this.edge.color.set(theme === "dark" ? "#e9eef5" : "#4d5867");
+    this.edge.opacity = theme === "dark" ? 0.28 : 0.55;
   }
 }

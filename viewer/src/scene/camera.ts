@@ -9,12 +9,7 @@ export const presets = {
 } as const;
 export type Preset = keyof typeof presets;
 
-export interface Ball {
-  centre: THREE.Vector3;
-  radius: number;
-}
-
-/** The ball around points of many instants, given as boxes. */
+/** The box around points of many instants. */
 export class Extent {
   private readonly box = new THREE.Box3();
   private readonly point = new THREE.Vector3();
@@ -30,19 +25,40 @@ export class Extent {
     this.box.expandByPoint(this.point.set(x + radius, y + radius, z + radius));
   }
 
-  ball(): Ball {
-    const centre = this.box.getCenter(new THREE.Vector3());
-    const radius = this.box.isEmpty() ? 1 : 0.5 * this.box.getSize(this.point).length();
-    return { centre, radius: Math.max(radius, 1e-3) };
+  /** The longest way through the box, m. */
+  get size(): number {
+    return this.box.isEmpty() ? 0 : this.box.getSize(this.point).length();
+  }
+
+  get centre(): THREE.Vector3 {
+    return this.box.isEmpty() ? new THREE.Vector3() : this.box.getCenter(new THREE.Vector3());
+  }
+
+  corners(): THREE.Vector3[] {
+    const { min, max } = this.box;
+    return Array.from({ length: 8 }, (_, k) =>
+      new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
   }
 }
 
-/** Sets the camera so that the ball fills the picture. */
-export function lookAt(camera: THREE.PerspectiveCamera, target: THREE.Vector3, ball: Ball, preset: Preset): void {
-  const vertical = (camera.fov * Math.PI) / 360;
-  const horizontal = Math.atan(Math.tan(vertical) * camera.aspect);
-  const distance = (0.92 * ball.radius) / Math.sin(Math.min(vertical, horizontal));
-  target.copy(ball.centre);
-  camera.position.copy(ball.centre).addScaledVector(new THREE.Vector3(...presets[preset]).normalize(), distance);
+const margin = 1.08;
+
+/** Sets the camera so that the box just fits the picture. */
+export function lookAt(camera: THREE.PerspectiveCamera, target: THREE.Vector3, extent: Extent, preset: Preset): void {
+  const up = Math.tan((camera.fov * Math.PI) / 360) / margin;
+  target.copy(extent.centre);
+  const back = new THREE.Vector3(...presets[preset]).normalize();
+  camera.position.copy(target).add(back);
+  camera.lookAt(target);
+  camera.updateMatrixWorld();
+  const across = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+  const upward = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+  let distance = 1e-3;
+  for (const corner of extent.size > 0 ? extent.corners() : []) {
+    const from = corner.sub(target);
+    const wide = Math.max(Math.abs(from.dot(upward)) / up, Math.abs(from.dot(across)) / (up * camera.aspect));
+    distance = Math.max(distance, wide + from.dot(back));
+  }
+  camera.position.copy(target).addScaledVector(back, distance);
   camera.lookAt(target);
 }

@@ -29,9 +29,11 @@ export function oklch(lightness: number, chroma: number, hue: number): Rgb {
  */
 export function scaleColour(t: number, theme: Theme): Rgb {
   const u = Math.min(1, Math.max(0, t));
+  // Less chroma in the middle, where blue-greens of the display end.
+  const ends = (2 * u - 1) ** 2;
   return theme === "dark"
-    ? oklch(0.46 + 0.47 * u, 0.13 + 0.05 * Math.sin(Math.PI * u), 292 - 190 * u)
-    : oklch(0.83 - 0.53 * u, 0.1 + 0.06 * Math.sin(Math.PI * u), 112 + 186 * u);
+    ? oklch(0.52 + 0.41 * u, 0.118 + 0.035 * ends, 292 - 190 * u)
+    : oklch(0.8 - 0.5 * u, 0.092 + 0.055 * ends, 112 + 186 * u);
 }
 
 /** Not in contact, slides, sticks: told apart by colour-blind readers, after Okabe and Ito. */

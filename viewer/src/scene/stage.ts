@@ -183,7 +183,7 @@ export class Stage {
   /** Turns and places the camera so that net and bodies fill the picture as they are now. */
   view(preset: Preset, whole?: Extent): void {
     const extent = whole ?? this.present();
-    lookAt(this.camera, this.controls.target, extent.ball(), preset);
+    lookAt(this.camera, this.controls.target, extent, preset);
     this.controls.update();
     this.touch();
   }

@@ -57,7 +57,7 @@ export class View {
 
   /** Everything that happens, seen at once, or only what is there now where the way is long. */
   get whole(): Extent | undefined {
-    return this.extent.ball().radius < 3 * this.run.recording.header.size ? this.extent : undefined;
+    return this.extent.size < 5 * this.run.recording.header.size ? this.extent : undefined;
   }
 
   show(): void {
