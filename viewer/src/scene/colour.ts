@@ -32,8 +32,8 @@ export function scaleColour(t: number, theme: Theme): Rgb {
   // Less chroma in the middle, where blue-greens of the display end.
   const ends = (2 * u - 1) ** 2;
   return theme === "dark"
-    ? oklch(0.52 + 0.41 * u, 0.118 + 0.035 * ends, 292 - 190 * u)
-    : oklch(0.8 - 0.5 * u, 0.092 + 0.055 * ends, 112 + 186 * u);
+    ? oklch(0.52 + 0.41 * u, 0.11 + 0.035 * ends, 292 - 190 * u)
+    : oklch(0.8 - 0.5 * u, 0.084 + 0.05 * ends, 112 + 186 * u);
 }
 
 /** Not in contact, slides, sticks: told apart by colour-blind readers, after Okabe and Ito. */
