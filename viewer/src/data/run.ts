@@ -47,8 +47,6 @@ export class Run {
 
   /** Takes what is new; true where there was anything. Throws DataError. */
   async update(): Promise<boolean> {
-    const bytes = await this.source.replay(this.recording.bytes);
-    if (bytes.length > 0) await this.recording.append(bytes);
     const texts = await this.source.texts();
     const rows = this.history.rows;
     if (texts.history) this.history = new Table(texts.history);
@@ -56,6 +54,9 @@ export class Run {
     if (texts.summary) this.summary = JSON.parse(texts.summary) as Summary;
     this.mission = texts.mission ?? this.mission;
     this.resolved = texts.resolved ?? this.resolved;
+    // Last, so that a damaged recording leaves the texts to be read.
+    const bytes = await this.source.replay(this.recording.bytes);
+    if (bytes.length > 0) await this.recording.append(bytes);
     return bytes.length > 0 || rows !== this.history.rows || ended;
   }
 

@@ -25,8 +25,8 @@ function bodyDepth(stage: Stage, x: number, y: number): number {
 
 /**
  * The node or segment under a point of the canvas (CSS pixels from its corner): of those within
- * reach and not behind a body the one nearest to the point; a node where the point is at it and
- * the segments there are long enough to be clicked elsewhere.
+ * reach and not behind a body the one nearest to the point; a node where the point is close to it,
+ * measured by its segment, or within reach of a corner mass.
  */
 export function pick(stage: Stage, x: number, y: number): Selection {
   const { header, nodes } = stage.instant;
@@ -57,6 +57,7 @@ export function pick(stage: Stage, x: number, y: number): Selection {
   const other = header.ends[2 * chosen + (along < 0.5 ? 1 : 0)]!;
   const gap = Math.hypot(x - places[3 * node]!, y - places[3 * node + 1]!);
   const length = Math.hypot(places[3 * node]! - places[3 * other]!, places[3 * node + 1]! - places[3 * other + 1]!);
-  if (gap < nodeReach && length > 4 * nodeReach) return { kind: "node", index: node };
+  const drawn = header.bullets.some((bullet) => bullet.node === node);
+  if (gap < (drawn ? nodeReach : Math.min(nodeReach, 0.22 * length))) return { kind: "node", index: node };
   return { kind: "segment", index: chosen };
 }
