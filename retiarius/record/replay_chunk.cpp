@@ -81,12 +81,29 @@ ReplayChunks read_chunks(std::string_view bytes) {
 }
 
 std::string deflated(std::string_view bytes) {
-  uLongf size = ::compressBound(bytes.size());
-  std::string result(size, '\0');
-  if (::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK)
+  return deflated(std::vector<std::string_view>{bytes});
+}
+
+std::string deflated(const std::vector<std::string_view>& parts) {
+  z_stream stream{};
+  // "Filtered" looks for matches less eagerly, which suits small numbers without pattern.
+  if (::deflateInit2(&stream, 6, Z_DEFLATED, MAX_WBITS, 9, Z_FILTERED) != Z_OK)
     throw Error("no memory to compress a recording");
-  result.resize(size);
+  std::size_t total = 0;
+  for (std::string_view part : parts) total += part.size();
+  // Each end of a block may take a few bytes more than the bound knows of.
+  std::string result(::deflateBound(&stream, total) + 16 * parts.size(), '\0');
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  int state = Z_OK;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(parts[k].data()));
+    stream.avail_in = static_cast<uInt>(parts[k].size());
+    state = ::deflate(&stream, k + 1 < parts.size() ? Z_BLOCK : Z_FINISH);
+  }
+  result.resize(stream.total_out);
+  ::deflateEnd(&stream);
+  if (state != Z_STREAM_END) throw Error("a recording could not be compressed");
   return result;
 }
 

@@ -41,8 +41,10 @@ struct ReplayChunks {
 // recording, have another format, or fail a checksum.
 ReplayChunks read_chunks(std::string_view bytes);
 
-// zlib streams. inflated() throws InputError for bytes that are none.
+// zlib streams. Parts of one stream are coded apart, which pays where their bytes are distributed
+// differently. inflated() throws InputError for bytes that are none.
 std::string deflated(std::string_view bytes);
+std::string deflated(const std::vector<std::string_view>& parts);
 std::string inflated(std::string_view bytes);
 
 // Appends the bytes of a number or of many, as they lie in memory.

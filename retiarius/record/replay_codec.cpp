@@ -51,13 +51,29 @@ std::uint64_t cost(const std::vector<std::uint32_t>& residuals) {
   return bits;
 }
 
-void append_planes(std::string& bytes, const std::vector<std::uint32_t>& residuals) {
+// Method and count of planes, then the planes; each of these is a part of its own.
+void append_planes(std::vector<std::string>& parts, int method,
+                   const std::vector<std::uint32_t>& residuals) {
   std::uint32_t all = 0;
   for (std::uint32_t r : residuals) all |= r;
   const int planes = (std::bit_width(all) + 7) / 8;
-  bytes += static_cast<char>(planes);
-  for (int p = 0; p < planes; ++p)
-    for (std::uint32_t r : residuals) bytes += static_cast<char>((r >> (8 * p)) & 0xffu);
+  parts.push_back({static_cast<char>(method), static_cast<char>(planes)});
+  for (int p = 0; p < planes; ++p) {
+    std::string& plane = parts.emplace_back();
+    plane.reserve(residuals.size());
+    for (std::uint32_t r : residuals) plane += static_cast<char>((r >> (8 * p)) & 0xffu);
+  }
+}
+
+// One stream in which long parts are coded apart, short ones with what follows them.
+std::string deflated_parts(const std::vector<std::string>& parts) {
+  constexpr std::size_t kLong = 2000;
+  std::vector<std::string> joined(1);
+  for (const std::string& part : parts) {
+    if (part.size() >= kLong && joined.back().size() >= kLong) joined.emplace_back();
+    joined.back() += part;
+  }
+  return deflated(std::vector<std::string_view>(joined.begin(), joined.end()));
 }
 
 // Bytes of an inflated frame, taken one piece after another.
@@ -156,18 +172,34 @@ ReplayCodec::Codes ReplayCodec::codes_of(int sequence, const ReplayFrame& frame)
   return codes;
 }
 
+std::int32_t ReplayCodec::slack_strain(std::size_t segment,
+                                       const std::array<Codes, kSequences>& codes) const {
+  const auto [a, b] = shape_.ends[segment];
+  double square = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double d =
+        minus(codes[axis][static_cast<std::size_t>(b)], codes[axis][static_cast<std::size_t>(a)]);
+    square += d * d;
+  }
+  return scales_.strain.code(std::sqrt(square) * scales_.quantum / shape_.rest_length[segment] -
+                             1.0);
+}
+
 ReplayCodec::Codes ReplayCodec::derived(int sequence, double time,
                                         const std::array<Codes, kSequences>& codes) const {
   Codes result(length(sequence), 0);
   const Codes& last = memory_[static_cast<std::size_t>(sequence)].last;
   if (sequence == kStrain) {
+    const Codes& tension = codes[kTension];
+    const Codes& tension_before = memory_[kTension].last;
     for (std::size_t k = 0; k < result.size(); ++k) {
-      const std::int32_t code = codes[kTension][k];
       const double stiffness = shape_.axial_stiffness[k];
-      if (code != 0 && stiffness > 0.0)
-        result[k] = scales_.strain.code(scales_.tension.value(code) / stiffness);
-      else if (since_key_ > 0)
+      if (tension[k] != 0 && stiffness > 0.0)
+        result[k] = scales_.strain.code(scales_.tension.value(tension[k]) / stiffness);
+      else if (since_key_ > 0 && tension_before[k] == 0)
         result[k] = last[k];
+      else
+        result[k] = slack_strain(k, codes);
     }
   }
   if (sequence == kSpeed && since_key_ > 0 && time > time_) {
@@ -225,7 +257,8 @@ std::string ReplayCodec::encode(const ReplayFrame& frame) {
     throw Error("a frame has other nodes or bodies than its recording");
   const bool key = number_ % kKeyInterval == 0;
   if (key) since_key_ = 0;
-  std::string content, stream;
+  std::string content;
+  std::vector<std::string> parts;
   append_bytes(content, frame.time);
   append_bytes(content, number_);
   append_bytes(content, static_cast<std::int32_t>(frame.phase));
@@ -248,12 +281,12 @@ std::string ReplayCodec::encode(const ReplayFrame& frame) {
       best = method;
       kept = std::move(r);
     }
-    stream += static_cast<char>(best);
-    append_planes(stream, kept);
+    append_planes(parts, best, kept);
   }
+  std::string& touch = parts.emplace_back();
   for (std::size_t k = 0; k < shape_.nodes; ++k)
-    stream += static_cast<char>(frame.touch[k] ^ (key ? 0 : touch_[k]));
-  content += deflated(stream);
+    touch += static_cast<char>(frame.touch[k] ^ (key ? 0 : touch_[k]));
+  content += deflated_parts(parts);
   remember(std::move(codes), frame.touch, frame.time);
   return content;
 }

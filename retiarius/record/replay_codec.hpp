@@ -14,10 +14,11 @@
 // element before is predicted too. A key frame uses no other frame.
 //
 // What follows from others: strain, from the decoded tension where that is not zero and the axial
-// stiffness is positive, as tension / axial stiffness, elsewhere from the previous frame (in a key
-// frame zero); speed, from the previous frame's speed and the mean speed since, as 2 mean -
-// previous, not below 0. Contact is one byte a node, 0 none, 1 slides, 2 sticks, xor the previous
-// frame's.
+// stiffness is positive, as tension / axial stiffness; of a slack segment from the previous frame
+// if it was slack then too, else from the decoded positions, as length / rest length - 1. Speed,
+// from the previous frame's speed and the mean speed since, as 2 mean - previous, not below 0.
+//
+// Contact is one byte a node, 0 none, 1 slides, 2 sticks, xor the previous frame's.
 #pragma once
 
 #include <array>
@@ -54,7 +55,9 @@ struct ReplayScales {
 struct ReplayShape {
   std::size_t nodes = 0;
   std::size_t bodies = 0;
-  std::vector<double> axial_stiffness;  // EA of each segment, N
+  std::vector<double> axial_stiffness;     // EA of each segment, N
+  std::vector<std::array<Index, 2>> ends;  // nodes of each segment
+  std::vector<double> rest_length;         // of each segment, m
 };
 
 // Keeps the last two frames, from which the next is predicted. One object either encodes or
@@ -81,6 +84,7 @@ class ReplayCodec {
 
   std::size_t length(int sequence) const;
   Codes codes_of(int sequence, const ReplayFrame& frame) const;
+  std::int32_t slack_strain(std::size_t segment, const std::array<Codes, kSequences>& codes) const;
   Codes derived(int sequence, double time, const std::array<Codes, kSequences>& codes) const;
   Codes predicted(int sequence, int method, const Codes& derived) const;
   std::vector<int> methods(int sequence) const;

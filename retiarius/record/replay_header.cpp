@@ -134,13 +134,38 @@ Minifloat scale_of(const Json& channel) {
   return scale;
 }
 
+template <class T>
+T number_at(const std::string& bytes, std::size_t place) {
+  T number{};
+  std::memcpy(&number, bytes.data() + place, sizeof number);
+  return number;
+}
+
+// The arrays begin with the segments' ends, materials and rest lengths.
+void read_segments(const std::string& arrays, std::size_t count, const Json& materials,
+                   ReplayShape& shape) {
+  if (arrays.size() < 20 * count) throw InputError("the recording is damaged: short arrays");
+  for (std::size_t k = 0; k < count; ++k) {
+    shape.ends.push_back({number_at<Index>(arrays, 8 * k), number_at<Index>(arrays, 8 * k + 4)});
+    for (Index node : shape.ends.back())
+      if (node < 0 || static_cast<std::size_t>(node) >= shape.nodes)
+        throw InputError("the recording is damaged: a segment without nodes");
+    const auto material = number_at<std::uint32_t>(arrays, 8 * count + 4 * k);
+    shape.axial_stiffness.push_back(materials.at(material).at("axial_stiffness").get<double>());
+    shape.rest_length.push_back(number_at<double>(arrays, 12 * count + 8 * k));
+  }
+}
+
 }  // namespace
 
 ReplayShape replay_shape(const RunModel& model) {
-  ReplayShape shape{model.network->design.size(), model.bodies->size(), {}};
-  for (const Segment& s : model.network->segments)
+  ReplayShape shape{model.network->design.size(), model.bodies->size(), {}, {}, {}};
+  for (const Segment& s : model.network->segments) {
     shape.axial_stiffness.push_back(
         model.network->materials[static_cast<std::size_t>(s.material)].axial_stiffness);
+    shape.ends.push_back({s.a, s.b});
+    shape.rest_length.push_back(s.rest_length);
+  }
   return shape;
 }
 
@@ -148,9 +173,9 @@ ReplayScales replay_scales(const RunModel& model) {
   const double size = net_size(*model.network);
   ReplayScales scales;
   scales.quantum = 2.0 * kReplayError * size;
-  scales.strain = {1e-7, 128};
+  scales.strain = {1e-7, 64};
   scales.tension = {1e-7 * largest_stiffness(*model.network), 128};
-  scales.curvature = {1e-3 / size, 64};
+  scales.curvature = {1e-3 / size, 32};
   scales.speed = {1e-5 * size, 64};
   return scales;
 }
@@ -197,14 +222,7 @@ ReplayHeader read_replay_header(std::string_view content) {
     header.shape.nodes = head.at("nodes").get<std::size_t>();
     header.shape.bodies = head.at("bodies").size();
     const auto segments = head.at("segments").get<std::size_t>();
-    // `material` follows `segments`, two numbers of four bytes a segment.
-    if (arrays.size() < 12 * segments) throw InputError("the recording is damaged: short arrays");
-    for (std::size_t k = 0; k < segments; ++k) {
-      std::uint32_t material = 0;
-      std::memcpy(&material, arrays.data() + 4 * (2 * segments + k), sizeof material);
-      header.shape.axial_stiffness.push_back(
-          head.at("materials").at(material).at("axial_stiffness").get<double>());
-    }
+    read_segments(arrays, segments, head.at("materials"), header.shape);
     header.scales.quantum = head.at("quantum").get<double>();
     const Json& list = head.at("channels");
     header.scales.tension = scale_of(list.at(0));

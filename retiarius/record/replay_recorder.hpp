@@ -14,7 +14,7 @@ namespace retiarius {
 // One chunk a frame (replay_chunk.hpp tells the layout), handed to the operating system before the
 // run goes on: a process that is killed at any instant costs at most the frame being written.
 // Positions are rounded with an error of at most kReplayError sizes of the net along each axis,
-// what the threads carry to 0.4 %, speed and curvature to 0.8 %. Throws RunError.
+// tensions to 0.4 %, strains and speeds to 0.8 %, curvatures to 1.6 %. Throws RunError.
 class ReplayRecorder : public Observer {
  public:
   // `version` is the program's.

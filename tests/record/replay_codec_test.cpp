@@ -14,7 +14,15 @@ using ::testing::HasSubstr;
 constexpr std::size_t kNodes = 40, kSegments = 60;
 constexpr double kStiffness = 5e4;
 
-ReplayShape shape() { return {kNodes, 1, std::vector<double>(kSegments, kStiffness)}; }
+ReplayShape shape() {
+  ReplayShape shape{kNodes, 1, std::vector<double>(kSegments, kStiffness), {}, {}};
+  for (std::size_t k = 0; k < kSegments; ++k) {
+    const auto a = static_cast<Index>(k % kNodes);
+    shape.ends.push_back({a, (a + 1) % static_cast<Index>(kNodes)});
+    shape.rest_length.push_back(0.3);
+  }
+  return shape;
+}
 
 ReplayScales scales() {
   return {1e-4, {1e-7 * kStiffness, 128}, {1e-7, 128}, {1e-3, 64}, {1e-4, 64}};

@@ -107,7 +107,7 @@ test("threads are drawn in the colour of their value", async () => {
     const copy = document.createElement("canvas");
     copy.width = canvas.width;
     copy.height = canvas.height;
-    const context = copy.getContext("2d");
+    const context = copy.getContext("2d", { willReadFrequently: true });
     context.drawImage(canvas, 0, 0);
     const ratio = canvas.width / canvas.getBoundingClientRect().width;
     const results = [];

@@ -46,7 +46,7 @@ export function variety(page, run = 0) {
     const copy = document.createElement("canvas");
     copy.width = canvas.width;
     copy.height = canvas.height;
-    const context = copy.getContext("2d");
+    const context = copy.getContext("2d", { willReadFrequently: true });
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, copy.width, copy.height);
     const seen = new Map();

@@ -34,8 +34,9 @@ describe("a recording", () => {
     expect([...second.y]).toEqual([0, -300, 0]);
     expect([...second.z]).toEqual([0, 0, 70000]);
     expect([...second.channels[0]!]).toEqual([0, 7]);
-    // Slack now: from the strain before; under tension: 0.07 N on 100 N.
-    expect([...second.channels[1]!]).toEqual([100, 7]);
+    // Slack now, taut before: from its length of 150 m; under tension: 0.07 N on 100 N.
+    const length = 0.5 * Math.hypot(2, 300);
+    expect([...second.channels[1]!]).toEqual([header.channels[1]!.scale.code(length - 1), 7]);
     expect([...second.channels[2]!]).toEqual([4, 4, 4]);
     // One quantum in half a second is 1 m/s; twice that less the 1 m/s before.
     expect(valueAt(header, second, "speed", 0)).toBeCloseTo(1, 12);

@@ -141,7 +141,7 @@ export class FrameDecoder {
     const guess = new Int32Array(this.count(s));
     const last = this.last[s];
     const scale = this.header.channels[s - 3]!.scale;
-    if (s === strain) this.strainGuess(guess, codes[tension]!, scale, last);
+    if (s === strain) this.strainGuess(guess, codes, scale, last);
     else if (time > this.time) {
       const step = this.header.quantum / (time - this.time);
       for (let k = 0; k < guess.length; ++k) {
@@ -156,13 +156,27 @@ export class FrameDecoder {
     return guess;
   }
 
-  private strainGuess(guess: Int32Array, tensions: Int32Array, scale: Minifloat, last?: Int32Array): void {
+  private strainGuess(guess: Int32Array, codes: Int32Array[], scale: Minifloat, last?: Int32Array): void {
     const force = this.header.channels[0]!.scale;
+    const tensions = codes[tension]!;
+    const before = this.last[tension];
     for (let k = 0; k < guess.length; ++k) {
       const stiffness = this.header.stiffness[k]!;
       if (tensions[k] !== 0 && stiffness > 0)
         guess[k] = scale.code(force.value(tensions[k]!) / stiffness);
-      else if (this.since > 0) guess[k] = last![k]!;
+      else if (this.since > 0 && before![k] === 0) guess[k] = last![k]!;
+      else guess[k] = this.slackStrain(k, codes, scale);
     }
+  }
+
+  /** Of the segment's length in the decoded positions. */
+  private slackStrain(segment: number, codes: Int32Array[], scale: Minifloat): number {
+    const { ends, quantum, restLength } = this.header;
+    let square = 0;
+    for (let axis = 0; axis < 3; ++axis) {
+      const d = (codes[axis]![ends[2 * segment + 1]!]! - codes[axis]![ends[2 * segment]!]!) | 0;
+      square += d * d;
+    }
+    return scale.code((Math.sqrt(square) * quantum) / restLength[segment]! - 1);
   }
 }
