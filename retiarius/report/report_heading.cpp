@@ -11,9 +11,22 @@ namespace retiarius {
 
 namespace {
 
+// Powers of ten as people write them: 1.9e-13 as 1.9 times 10 to the -13.
+std::string raised(const std::string& exponent) {
+  static const char* const kDigits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = exponent[0] == '-' ? "\u207b" : "";
+  const std::size_t first = exponent.find_first_not_of("+-0");
+  for (char digit : exponent.substr(std::min(first, exponent.size() - 1)))
+    text += kDigits[digit - '0'];
+  return text;
+}
+
 std::string number_text(double value) {
   if (!std::isfinite(value)) return "\u2013";
   std::string text = fmt::format("{:.4g}", value);
+  const std::size_t e = text.find('e');
+  if (e != std::string::npos) text = text.substr(0, e) + "\u00b710" + raised(text.substr(e + 1));
   if (text[0] == '-') text.replace(0, 1, "\u2212");
   return text;
 }

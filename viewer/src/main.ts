@@ -18,7 +18,7 @@ async function start(): Promise<void> {
     for (const run of runs) await run.update();
     while (runs.some((run) => run.live && run.recording.count === 0)) {
       showHeading(runs, "waiting for the run's first frame");
-      await new Promise((resolve) => setTimeout(resolve, pollInterval));
+      await pause();
       for (const run of runs) await run.update();
     }
     for (const run of runs) check(run);
@@ -40,17 +40,23 @@ function check(run: Run): void {
   if (recording.count === 0) throw new DataError(`the recording of ${run.label} holds no frame`);
 }
 
-/** Asks for what is new until the runs have ended. */
+/** Asks for what is new until the runs have ended, or the server does not answer. */
 async function follow(runs: Run[], app: App): Promise<void> {
-  while (runs.some((run) => run.live)) {
-    await new Promise((resolve) => setTimeout(resolve, pollInterval));
-    let any = false;
-    for (const run of runs) if (run.live && (await run.update())) any = true;
-    if (any) {
-      app.grow();
-      showHeading(runs);
+  try {
+    while (runs.some((run) => run.live)) {
+      await pause();
+      let any = false;
+      for (const run of runs) if (run.live && (await run.update())) any = true;
+      if (any) app.grow();
+      if (any) showHeading(runs);
     }
+  } catch (error) {
+    fail(error, "The run is no longer followed.");
   }
+}
+
+function pause(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, pollInterval));
 }
 
 void start();

@@ -123,7 +123,8 @@ export class Chart {
           stroke: shown(`--c${line.colour}`), width: 1.6, dash: dashes[(line.dash ?? line.colour) % dashes.length]!,
           points: { show: false }, spanGaps: true,
         }))],
-        hooks: { drawClear: [(plot) => this.drawMarks(plot)] },
+        // The scales are known when it draws, not before.
+        hooks: { drawClear: [(plot) => this.drawMarks(plot)], draw: [() => this.at(this.time)] },
       },
       joined(this.content.lines) as uPlot.AlignedData, this.holder);
     this.plot.over.append(this.cursor);

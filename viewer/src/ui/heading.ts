@@ -46,15 +46,15 @@ function notesOf(run: Run, named: boolean): string[] {
   return notes.map((note) => (named ? `${run.label}: ${note}` : note));
 }
 
-/** Says what went wrong, in place of the pictures. */
-export function fail(error: unknown): void {
+/** Says what went wrong, above what can still be shown. */
+export function fail(error: unknown, what = "This run cannot be shown in 3D."): void {
   const known = error instanceof DataError;
   const text = error instanceof Error ? error.message : String(error);
   const place = document.getElementById("app")!;
-  document.documentElement.dataset["ready"] = "failed";
+  if (!document.documentElement.dataset["ready"]) document.documentElement.dataset["ready"] = "failed";
   place.querySelector(".failure")?.remove();
   place.prepend(h("div", { class: "failure", role: "alert" },
-    h("b", {}, "This run cannot be shown in 3D."), h("p", {}, `${text.charAt(0).toUpperCase()}${text.slice(1)}.`),
+    h("b", {}, what), h("p", {}, `${text.charAt(0).toUpperCase()}${text.slice(1)}.`),
     !known && h("p", { class: "note" }, "The pictures need a browser with WebGL 2; the tables below do not.")));
   if (!known) console.error(error);
 }

@@ -63,7 +63,7 @@ function versions(run: Run): HTMLElement | undefined {
   const s = run.summary;
   if (!s) return undefined;
   const pair = ([name, value]: [string, unknown]): HTMLElement =>
-    h("tr", {}, h("th", { scope: "row" }, name), h("td", { class: "num" }, String(value ?? "\u2013")));
+    h("tr", {}, h("th", { scope: "row" }, name), h("td", { class: "num" }, String(value ?? "") || "\u2013"));
   const program: [string, unknown][] = [
     ["Retiarius", s.versions.retiarius], ["Revision", s.versions.revision], ["Compiler", s.versions.compiler],
     ["Build type", s.options["build_type"]], ["Kernels", s.kernels], ["Seed", s.seed],

@@ -58,7 +58,8 @@ export class Transport {
     this.slider.min = String(this.start);
     this.slider.max = String(this.end);
     const span = this.end - this.start || 1;
-    const phases = this.runs[0]?.phases() ?? [];
+    const longest = this.runs.reduce((a, b) => (b.end > a.end ? b : a));
+    const phases = longest.phases();
     this.phases.replaceChildren(
       ...phases.filter((p) => p.end > p.start).map((phase) => {
         const at = (100 * (phase.start - this.start)) / span;
