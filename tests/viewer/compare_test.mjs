@@ -24,6 +24,15 @@ test("runs are replayed side by side at the same instant, with curves on common 
       const [colours, most] = await variety(page, k);
       assert.ok(colours > 100 && most < 0.995, `${run}: ${colours} colours, ${most}`);
     }
+    // These threads go slack: their strains are predicted from tensions, earlier frames and positions.
+    await page.evaluate(() => window.retiarius.colourBy("strain"));
+    for (const frame of [0, 1, 7, 20, 40]) {
+      await slide(page, times[frame]);
+      const there = ofFrame(table("shot-30", "segments.csv"), frame);
+      const seen = await page.evaluate((n) => Array.from({ length: n }, (_, s) => window.retiarius.segment(s).value), there.segment.length);
+      seen.forEach((value, s) =>
+        assert.ok(Math.abs(value - there.strain[s]) <= Math.max(5e-8, Math.abs(there.strain[s]) / 128) * 1.0001, `strain ${s} at frame ${frame}: ${value} for ${there.strain[s]}`));
+    }
     const key = await page.innerText(".chart:first-of-type .key");
     assert.match(key, /shot-30: projected[\s\S]*shot-45: projected/);
     assert.equal(await page.locator(".tables thead th").nth(1).innerText(), "shot-30");

@@ -32,7 +32,9 @@ export class Stage {
   private readonly sun = new THREE.DirectionalLight("#ffffff", 2.2);
   private readonly sky = new THREE.HemisphereLight("#ffffff", "#7c8794", 1.3);
   private readonly grid: THREE.GridHelper;
-  private followed: THREE.Vector3 | undefined;
+  private readonly followed = new THREE.Vector3();
+  private pursuing = false;
+  private readonly spare = new THREE.Vector3();
   private quantity: Quantity = "tension";
   private time = 0;
   private wanted = -1;
@@ -159,25 +161,26 @@ export class Stage {
 
   /** Moves the camera along with what it follows. */
   private pursue(): void {
-    const point = this.pointToFollow();
-    if (point && this.followed) {
-      const step = point.clone().sub(this.followed);
-      this.camera.position.add(step);
-      this.controls.target.add(step);
-    }
-    this.followed = point;
+    const step = this.pointToFollow(this.spare);
+    const before = this.pursuing;
+    this.pursuing = step !== undefined;
+    if (!step) return;
+    step.sub(this.followed);
+    this.followed.add(step);
+    if (!before) return;
+    this.camera.position.add(step);
+    this.controls.target.add(step);
   }
 
-  private pointToFollow(): THREE.Vector3 | undefined {
-    if (this.follow === "net") return new THREE.Vector3(...this.instant.centre);
-    if (this.follow === "target" && this.instant.poses.length >= 7)
-      return new THREE.Vector3().fromArray(this.instant.poses, 0);
+  private pointToFollow(point: THREE.Vector3): THREE.Vector3 | undefined {
+    if (this.follow === "net") return point.fromArray(this.instant.centre);
+    if (this.follow === "target" && this.instant.poses.length >= 7) return point.fromArray(this.instant.poses, 0);
     return undefined;
   }
 
   setFollow(follow: Follow): void {
     this.follow = follow;
-    this.followed = this.pointToFollow();
+    this.pursuing = this.pointToFollow(this.followed) !== undefined;
   }
 
   /** Turns and places the camera so that net and bodies fill the picture as they are now. */
@@ -217,7 +220,7 @@ export class Stage {
     this.shared.projection.value.copy(this.camera.projectionMatrix);
     const height = this.renderer.domElement.height || 1;
     this.shared.pixel.value = (2 * Math.tan((this.camera.fov * Math.PI) / 360) * this.renderer.getPixelRatio()) / height;
-    this.sun.position.copy(this.camera.position).add(new THREE.Vector3(-0.4 * far, 0, 0.9 * far));
+    this.sun.position.copy(this.camera.position).add(this.spare.set(-0.4 * far, 0, 0.9 * far));
     this.sun.target.position.copy(this.controls.target);
     this.renderer.render(this.scene, this.camera);
     this.drawn();
