@@ -84,6 +84,7 @@ TEST(ReplayCodec, KeepsEveryFrameWithinTheStatedErrors) {
 TEST(ReplayCodec, StartsAgainAtEveryKeyFrame) {
   ReplayCodec writer(shape(), scales());
   std::vector<std::string> file;
+  file.reserve(140);
   for (int k = 0; k < 140; ++k) file.push_back(writer.encode(frame(k)));
   ReplayCodec reader(shape(), scales());
   for (int k = 128; k < 140; ++k)

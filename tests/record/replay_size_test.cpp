@@ -31,9 +31,9 @@ ReplayScales scales() {
 class NoisyNet {
  public:
   explicit NoisyNet(std::size_t knots) : knots_(knots) {
-    for (std::size_t k = 0; k < knots * knots; ++k)
-      at_.emplace_back(mesh() * static_cast<double>(k % knots),
-                       mesh() * static_cast<double>(k / knots));
+    for (std::size_t j = 0; j < knots; ++j)
+      for (std::size_t i = 0; i < knots; ++i)
+        at_.emplace_back(mesh() * static_cast<double>(i), mesh() * static_cast<double>(j));
     for (std::size_t k = 0; k < knots * knots; ++k) {
       if (k % knots + 1 < knots) add_piece(k, k + 1);
       if (k + knots < knots * knots) add_piece(k, k + knots);
