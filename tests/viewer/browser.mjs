@@ -16,8 +16,13 @@ export async function openBrowser() {
   return chromium.launch({
     executablePath: chromiumPath(),
     args: [
-      "--no-sandbox", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-      "--ignore-gpu-blocklist", "--disable-background-networking", "--no-first-run",
+      "--no-sandbox",
+      "--headless=new",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--ignore-gpu-blocklist",
+      "--disable-background-networking",
+      "--no-first-run",
     ],
   });
 }

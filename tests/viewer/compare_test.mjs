@@ -18,9 +18,15 @@ test("runs are replayed side by side at the same instant, with curves on common 
     for (const [k, run] of ["shot-30", "shot-45"].entries()) {
       const there = ofFrame(table(run, "nodes.csv"), frame);
       assert.equal(there.time[0], times[frame]);
-      const error = await page.evaluate((i) => window.retiarius.app.views[i].run.recording.header.error, k);
+      const error = await page.evaluate(
+        (i) => window.retiarius.app.views[i].run.recording.header.error,
+        k,
+      );
       const seen = await page.evaluate((i) => window.retiarius.node(11, i), k);
-      assert.ok(Math.abs(seen[0] - there.x[11]) <= error * 1.01, `${run}: ${seen[0]} for ${there.x[11]}`);
+      assert.ok(
+        Math.abs(seen[0] - there.x[11]) <= error * 1.01,
+        `${run}: ${seen[0]} for ${there.x[11]}`,
+      );
       const [colours, most] = await variety(page, k);
       assert.ok(colours > 100 && most < 0.995, `${run}: ${colours} colours, ${most}`);
     }
@@ -29,9 +35,17 @@ test("runs are replayed side by side at the same instant, with curves on common 
     for (const frame of [0, 1, 7, 20, 40]) {
       await slide(page, times[frame]);
       const there = ofFrame(table("shot-30", "segments.csv"), frame);
-      const seen = await page.evaluate((n) => Array.from({ length: n }, (_, s) => window.retiarius.segment(s).value), there.segment.length);
+      const seen = await page.evaluate(
+        (n) => Array.from({ length: n }, (_, s) => window.retiarius.segment(s).value),
+        there.segment.length,
+      );
       seen.forEach((value, s) =>
-        assert.ok(Math.abs(value - there.strain[s]) <= Math.max(5e-8, Math.abs(there.strain[s]) / 128) * 1.0001, `strain ${s} at frame ${frame}: ${value} for ${there.strain[s]}`));
+        assert.ok(
+          Math.abs(value - there.strain[s]) <=
+            Math.max(5e-8, Math.abs(there.strain[s]) / 128) * 1.0001,
+          `strain ${s} at frame ${frame}: ${value} for ${there.strain[s]}`,
+        ),
+      );
     }
     const key = await page.innerText(".chart:first-of-type .key");
     assert.match(key, /shot-30: projected[\s\S]*shot-45: projected/);
@@ -42,7 +56,9 @@ test("runs are replayed side by side at the same instant, with curves on common 
     await page.mouse.down();
     await page.mouse.move(box.x + 260, box.y + 230);
     await page.mouse.up();
-    const cameras = await page.evaluate(() => window.retiarius.app.views.map((v) => v.stage.camera.position.toArray()));
+    const cameras = await page.evaluate(() =>
+      window.retiarius.app.views.map((v) => v.stage.camera.position.toArray()),
+    );
     cameras[0].forEach((c, i) => assert.ok(Math.abs(c - cameras[1][i]) < 1e-9));
     await page.screenshot({ path: join(pictures, "compare-desktop-light.png") });
     assert.deepEqual(complaints, []);

@@ -26,13 +26,19 @@ function serve() {
       const from = Number(/bytes=(\d+)-/.exec(request.headers.range ?? "")?.[1] ?? 0);
       state.asked.push(from);
       if (from >= state.bytes) return response.writeHead(416).end();
-      return response.writeHead(206, { "content-type": "application/octet-stream" }).end(replay.subarray(from, state.bytes));
+      return response
+        .writeHead(206, { "content-type": "application/octet-stream" })
+        .end(replay.subarray(from, state.bytes));
     }
     const answer = answers[path]?.();
     if (!answer) return response.writeHead(path === "/favicon.ico" ? 204 : 404).end();
     return response.writeHead(200, { "content-type": answer[0] }).end(answer[1]);
   });
-  return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve({ server, state, url: `http://127.0.0.1:${server.address().port}/` })));
+  return new Promise((resolve) =>
+    server.listen(0, "127.0.0.1", () =>
+      resolve({ server, state, url: `http://127.0.0.1:${server.address().port}/` }),
+    ),
+  );
 }
 
 test("the page follows a run that grows, from before its first frame to its end", async () => {
@@ -53,13 +59,20 @@ test("the page follows a run that grows, from before its first frame to its end"
     state.rows = 0.8;
     await page.waitForFunction((n) => window.retiarius.times().length > n, first);
     // Who looks at the newest frame keeps looking at the newest.
-    await page.waitForFunction(() => window.retiarius.app.store.now.time === window.retiarius.times().at(-1));
-    assert.ok(state.asked.includes(Math.floor(replay.length * 0.5)), "only the new part is asked for");
+    await page.waitForFunction(
+      () => window.retiarius.app.store.now.time === window.retiarius.times().at(-1),
+    );
+    assert.ok(
+      state.asked.includes(Math.floor(replay.length * 0.5)),
+      "only the new part is asked for",
+    );
     assert.equal(await page.locator(".tables h2").count(), 0);
     state.bytes = replay.length;
     state.rows = 1;
     state.ended = true;
-    await page.waitForFunction(() => document.querySelector(".outcome b").textContent === "Finished");
+    await page.waitForFunction(
+      () => document.querySelector(".outcome b").textContent === "Finished",
+    );
     assert.match(await page.innerText(".tables"), /Measures of the whole run/);
     const [colours] = await variety(page);
     assert.ok(colours > 200);
@@ -68,7 +81,10 @@ test("the page follows a run that grows, from before its first frame to its end"
     await new Promise((resolve) => setTimeout(resolve, 1800));
     assert.equal(state.asked.length, asked, "a run that has ended is not asked again");
     // Files that are not there yet are answered with 404 and 416, which the browser itself notes.
-    assert.deepEqual(complaints.filter((text) => !/status of (404|416)/.test(text)), []);
+    assert.deepEqual(
+      complaints.filter((text) => !/status of (404|416)/.test(text)),
+      [],
+    );
   } finally {
     await browser.close();
     server.close();

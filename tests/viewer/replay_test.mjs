@@ -19,18 +19,27 @@ test("opens from a file without complaint and asks nobody for anything", async (
   assert.equal(await page.getAttribute("html", "data-ready"), "yes");
   assert.deepEqual(complaints, []);
   assert.deepEqual(requests, [url]);
-  const blocked = await page.evaluate(() => fetch("https://example.org").then(() => "let through", () => "blocked"));
+  const blocked = await page.evaluate(() =>
+    fetch("https://example.org").then(
+      () => "let through",
+      () => "blocked",
+    ),
+  );
   assert.equal(blocked, "blocked");
   while (complaints.length === 0) await page.waitForTimeout(20);
-  for (const complaint of complaints.splice(0)) assert.match(complaint, /Content Security Policy|Refused to connect|Fetch API cannot load/);
+  for (const complaint of complaints.splice(0))
+    assert.match(complaint, /Content Security Policy|Refused to connect|Fetch API cannot load/);
 });
 
 test("tells the outcome in words before anything else", async () => {
-  const first = await page.evaluate(() => document.querySelector("main").firstElementChild.innerText);
+  const first = await page.evaluate(
+    () => document.querySelector("main").firstElementChild.innerText,
+  );
   assert.match(first, /Finished/);
   assert.match(first, /Peak tension/i);
   const tables = await page.innerText(".tables");
-  for (const text of ["Measures of the whole run", "Phases", "Versions", "Compiler", "Seed"]) assert.ok(tables.includes(text), text);
+  for (const text of ["Measures of the whole run", "Phases", "Versions", "Compiler", "Seed"])
+    assert.ok(tables.includes(text), text);
   assert.ok((await page.textContent(".tables")).includes('pattern = "'), "the mission's text");
 });
 
@@ -50,7 +59,11 @@ test("the slider puts the nodes where run.h5 has them", async () => {
       // Positions reach the graphics card in single precision.
       const limit = error * (1 + 1e-6) + 2e-7 * Math.max(...seen.map(Math.abs));
       ["x", "y", "z"].forEach((axis, k) =>
-        assert.ok(Math.abs(seen[k] - there[axis][node]) <= limit, `node ${node} at frame ${frame}: ${seen[k]} for ${there[axis][node]}`));
+        assert.ok(
+          Math.abs(seen[k] - there[axis][node]) <= limit,
+          `node ${node} at frame ${frame}: ${seen[k]} for ${there[axis][node]}`,
+        ),
+      );
     }
   }
   const [a, b] = [times[3], times[4]];
@@ -71,20 +84,35 @@ test("values, colours and legend agree", async () => {
     const legend = await page.evaluate(() => ({
       title: document.querySelector(".legend .title").textContent,
       marks: [...document.querySelectorAll(".legend .marks span")].map((m) => m.textContent),
-      stops: getComputedStyle(document.querySelector(".legend .bar")).backgroundImage.match(/rgb\([^)]*\)/g)
+      stops: getComputedStyle(document.querySelector(".legend .bar"))
+        .backgroundImage.match(/rgb\([^)]*\)/g)
         .map((c) => c.match(/\d+/g).map(Number)),
       range: window.retiarius.app.store.now.range,
     }));
     assert.match(legend.title, quantity === "tension" ? /^Tension \/ N$/ : /^Strain$/);
     assert.equal(Number(legend.marks[0]), legend.range.low);
-    assert.equal(Number(legend.marks[2].replace(/·10⁻(.)/, (_, d) => `e-${"⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(d)}`)), legend.range.high);
-    const quantum = await page.evaluate((q) => window.retiarius.app.views[0].run.recording.header.channels.find((c) => c.name === q).scale.quantum, quantity);
+    assert.equal(
+      Number(legend.marks[2].replace(/·10⁻(.)/, (_, d) => `e-${"⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(d)}`)),
+      legend.range.high,
+    );
+    const quantum = await page.evaluate(
+      (q) =>
+        window.retiarius.app.views[0].run.recording.header.channels.find((c) => c.name === q).scale
+          .quantum,
+      quantity,
+    );
     for (let s = 0; s < there.segment.length; s += 5) {
       const seen = await page.evaluate((k) => window.retiarius.segment(k), s);
       const true_ = there[quantity][s];
       const share = quantity === "tension" ? 256 : 128; // the errors that docs/viewer.md states
-      assert.ok(Math.abs(seen.value - true_) <= Math.max(0.5 * quantum, Math.abs(true_) / share) * 1.0001, `${quantity} ${s}`);
-      const t = Math.min(1, Math.max(0, (true_ - legend.range.low) / (legend.range.high - legend.range.low)));
+      assert.ok(
+        Math.abs(seen.value - true_) <= Math.max(0.5 * quantum, Math.abs(true_) / share) * 1.0001,
+        `${quantity} ${s}`,
+      );
+      const t = Math.min(
+        1,
+        Math.max(0, (true_ - legend.range.low) / (legend.range.high - legend.range.low)),
+      );
       const place = t * (legend.stops.length - 1);
       const [low, high] = [legend.stops[Math.floor(place)], legend.stops[Math.ceil(place)]];
       seen.colour.forEach((c, k) => {
@@ -126,7 +154,13 @@ test("threads are drawn in the colour of their value", async () => {
       for (let k = 0; k < data.length; k += 4) {
         if (data[k + 3] < 250) continue;
         // Light darkens all three alike, to no less than 0.75.
-        const light = Math.min(1, Math.max(0.75, (data[k] + data[k + 1] + data[k + 2]) / (colour[0] + colour[1] + colour[2])));
+        const light = Math.min(
+          1,
+          Math.max(
+            0.75,
+            (data[k] + data[k + 1] + data[k + 2]) / (colour[0] + colour[1] + colour[2]),
+          ),
+        );
         best = Math.min(best, Math.max(...colour.map((c, i) => Math.abs(data[k + i] - light * c))));
       }
       results.push(best);
@@ -157,13 +191,21 @@ test("a click shows the history of the right segment and node", async () => {
     await slide(page, times[last]);
     const shown = Number((await page.innerText(".probe .key b")).replace("\u2212", "-"));
     const true_ = ofFrame(segments, last).tension[segment];
-    assert.ok(Math.abs(shown - true_) <= 0.005 * Math.abs(true_) + 1e-3, `tension ${shown} for ${true_}`);
+    assert.ok(
+      Math.abs(shown - true_) <= 0.005 * Math.abs(true_) + 1e-3,
+      `tension ${shown} for ${true_}`,
+    );
     await slide(page, times[0]);
   }
-  const corner = await page.evaluate(() => window.retiarius.app.views[0].run.recording.header.corners[1]);
+  const corner = await page.evaluate(
+    () => window.retiarius.app.views[0].run.recording.header.corners[1],
+  );
   const [x, y] = await page.evaluate((n) => window.retiarius.onScreen(n), corner);
   await page.mouse.click(box.x + x, box.y + y);
-  await page.waitForFunction((n) => document.querySelector(".probe h3")?.innerText === `Node ${n}`, corner);
+  await page.waitForFunction(
+    (n) => document.querySelector(".probe h3")?.innerText === `Node ${n}`,
+    corner,
+  );
   assert.match(await page.innerText(".probe"), /corner 1/);
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".probe").isVisible(), false);
@@ -221,7 +263,10 @@ test("contact is shown where nodes touch", async () => {
 });
 
 test("is readable at any size, in light and dark, and pictures are not blank", async () => {
-  for (const [size, viewport] of Object.entries({ desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }))
+  for (const [size, viewport] of Object.entries({
+    desktop: { width: 1440, height: 900 },
+    phone: { width: 390, height: 844 },
+  }))
     for (const theme of ["light", "dark"]) {
       const opened = await openPage(browser, url, { viewport, theme, touch: size === "phone" });
       const times = await opened.page.evaluate(() => window.retiarius.times());
@@ -232,7 +277,10 @@ test("is readable at any size, in light and dark, and pictures are not blank", a
       const [colours, most] = await variety(opened.page);
       assert.ok(colours > 200 && most < 0.99, `${size} ${theme}: ${colours} colours, ${most}`);
       await opened.page.screenshot({ path: join(pictures, `replay-${size}-${theme}.png`) });
-      await opened.page.screenshot({ path: join(pictures, `replay-${size}-${theme}-whole.png`), fullPage: true });
+      await opened.page.screenshot({
+        path: join(pictures, `replay-${size}-${theme}-whole.png`),
+        fullPage: true,
+      });
       assert.deepEqual(opened.complaints, []);
       await opened.context.close();
     }

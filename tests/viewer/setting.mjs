@@ -15,10 +15,13 @@ export function pageOf(name) {
 
 /** A table of `retiarius export --to csv`, as columns of numbers. */
 export function table(run, file) {
-  const [head, ...lines] = readFileSync(join(runs, `${run}-csv`, file), "utf8").trim().split("\n");
+  const [head, ...lines] = readFileSync(join(runs, `${run}-csv`, file), "utf8")
+    .trim()
+    .split("\n");
   const columns = Object.fromEntries(head.split(",").map((name) => [name, []]));
   const names = Object.keys(columns);
-  for (const line of lines) line.split(",").forEach((cell, k) => columns[names[k]].push(Number(cell)));
+  for (const line of lines)
+    line.split(",").forEach((cell, k) => columns[names[k]].push(Number(cell)));
   return columns;
 }
 
@@ -26,7 +29,9 @@ export function table(run, file) {
 export function ofFrame(columns, frame) {
   const first = columns.frame.indexOf(frame);
   const last = columns.frame.lastIndexOf(frame);
-  return Object.fromEntries(Object.entries(columns).map(([name, list]) => [name, list.slice(first, last + 1)]));
+  return Object.fromEntries(
+    Object.entries(columns).map(([name, list]) => [name, list.slice(first, last + 1)]),
+  );
 }
 
 /** Moves the page's own slider, as a reader does, and waits for the picture. */
@@ -51,7 +56,8 @@ export function variety(page, run = 0) {
     const { data } = context.getImageData(0, 0, copy.width, copy.height);
     const seen = new Map();
     for (let i = 0; i < data.length; i += 4) {
-      const colour = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2] | (data[i + 3] < 128 ? 1 << 24 : 0);
+      const colour =
+        (data[i] << 16) | (data[i + 1] << 8) | data[i + 2] | (data[i + 3] < 128 ? 1 << 24 : 0);
       seen.set(colour, (seen.get(colour) ?? 0) + 1);
     }
     return [seen.size, Math.max(...seen.values()) / (data.length / 4)];

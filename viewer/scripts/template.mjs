@@ -11,6 +11,9 @@ export function templateOf(html) {
     `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'; ` +
     `img-src data: blob:; connect-src retiarius-connect; base-uri 'none'; form-action 'none'`;
   return html
-    .replace("<!--retiarius:policy-->", `<meta http-equiv="Content-Security-Policy" content="${policy}" />`)
+    .replace(
+      "<!--retiarius:policy-->",
+      `<meta http-equiv="Content-Security-Policy" content="${policy}" />`,
+    )
     .replace(/<meta charset="utf-8"\s*\/?>/, '<meta charset="utf-8" />');
 }

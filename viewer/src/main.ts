@@ -13,7 +13,9 @@ const pollInterval = 700; // ms
 async function start(): Promise<void> {
   const place = document.getElementById("app")!;
   const embedded = embeddedSources(document);
-  const runs = (embedded.length > 0 ? embedded : [new HttpSource("run")]).map((source) => new Run(source));
+  const runs = (embedded.length > 0 ? embedded : [new HttpSource("run")]).map(
+    (source) => new Run(source),
+  );
   try {
     for (const run of runs) await run.update();
     while (runs.some((run) => run.live && run.recording.count === 0)) {
@@ -29,14 +31,16 @@ async function start(): Promise<void> {
     document.documentElement.dataset["ready"] = "yes";
     if (runs.some((run) => run.live)) await follow(runs, app);
   } catch (error) {
-    if (runs.some((run) => run.summary) && place.childElementCount === 0) place.append(tables(runs));
+    if (runs.some((run) => run.summary) && place.childElementCount === 0)
+      place.append(tables(runs));
     fail(error);
   }
 }
 
 function check(run: Run): void {
   const { recording } = run;
-  if (!recording.header) throw new DataError(`the recording of ${run.label} is cut off before its header`);
+  if (!recording.header)
+    throw new DataError(`the recording of ${run.label} is cut off before its header`);
   if (recording.count === 0) throw new DataError(`the recording of ${run.label} holds no frame`);
 }
 
@@ -47,7 +51,7 @@ async function follow(runs: Run[], app: App): Promise<void> {
       await pause();
       let any = false;
       for (const run of runs) if (run.live && (await run.update())) any = true;
-      if (any) app.grow();
+      if (any) await app.grow();
       if (any) showHeading(runs);
     }
   } catch (error) {

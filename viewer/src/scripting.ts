@@ -26,7 +26,8 @@ export function exposeForScripts(app: App): void {
     app,
     async seek(time) {
       app.store.set({ time, playing: false });
-      const shown = (): boolean => app.views.every((v) => Math.abs(v.stage.instant.time - Math.min(time, v.run.end)) < 1e-9);
+      const shown = (): boolean =>
+        app.views.every((v) => Math.abs(v.stage.instant.time - Math.min(time, v.run.end)) < 1e-9);
       while (!shown()) await new Promise((resolve) => setTimeout(resolve, 5));
       for (const v of app.views) v.stage.draw();
     },
@@ -46,7 +47,10 @@ export function exposeForScripts(app: App): void {
     segment(segment, run) {
       const value = view(run).stage.instant.values[segment]!;
       const { range, theme } = app.store.now;
-      return { value, colour: scaleColour(placeInRange(value, range), theme).map((c) => Math.round(255 * c)) };
+      return {
+        value,
+        colour: scaleColour(placeInRange(value, range), theme).map((c) => Math.round(255 * c)),
+      };
     },
     pick: (x, y, run) => pick(view(run).stage, x, y),
     colourBy: (quantity) => app.colourBy(quantity),

@@ -1,12 +1,20 @@
 import { describe, expect, it } from "vitest";
-import { oklch, placeInRange, scaleBytes, scaleColour, type Rgb, valueAtPlace } from "../src/scene/colour";
+import {
+  oklch,
+  placeInRange,
+  scaleBytes,
+  scaleColour,
+  type Rgb,
+  valueAtPlace,
+} from "../src/scene/colour";
 import { roundUp } from "../src/scene/survey";
 
 const linear = (c: number): number => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 const luminance = ([r, g, b]: Rgb): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 /** Linear colours as people without green or without red cones see them, after Vienot et al. (1999). */
-const without = (red: number, blue: number) => ([r, g, b]: Rgb): Rgb =>
-  [red * r + (1 - red) * g, red * r + (1 - red) * g, b + blue * (r - g)];
+const without =
+  (red: number, blue: number) =>
+  ([r, g, b]: Rgb): Rgb => [red * r + (1 - red) * g, red * r + (1 - red) * g, b + blue * (r - g)];
 const views = [(c: Rgb): Rgb => c, without(0.29275, -0.02234), without(0.11238, 0.00401)];
 
 describe.each(["light", "dark"] as const)("the scale on a %s ground", (theme) => {
@@ -28,7 +36,9 @@ describe.each(["light", "dark"] as const)("the scale on a %s ground", (theme) =>
   it("is given to the graphics card as it is", () => {
     const bytes = scaleBytes(theme, false);
     for (const k of [0, 100, 255])
-      expect([...bytes.slice(4 * k, 4 * k + 3)]).toEqual(scaleColour(k / 255, theme).map((c) => Math.round(255 * c)));
+      expect([...bytes.slice(4 * k, 4 * k + 3)]).toEqual(
+        scaleColour(k / 255, theme).map((c) => Math.round(255 * c)),
+      );
   });
 });
 
@@ -39,8 +49,12 @@ it("knows white, black and grey", () => {
 
 describe("ranges", () => {
   it("place values and give them back", () => {
-    for (const range of [{ low: -1, high: 3, logarithmic: false }, { low: 0.01, high: 10, logarithmic: true }])
-      for (const t of [0, 0.3, 1]) expect(placeInRange(valueAtPlace(t, range), range)).toBeCloseTo(t, 12);
+    for (const range of [
+      { low: -1, high: 3, logarithmic: false },
+      { low: 0.01, high: 10, logarithmic: true },
+    ])
+      for (const t of [0, 0.3, 1])
+        expect(placeInRange(valueAtPlace(t, range), range)).toBeCloseTo(t, 12);
   });
   it("clamp what lies outside", () => {
     expect(placeInRange(-5, { low: 0, high: 1, logarithmic: false })).toBe(0);

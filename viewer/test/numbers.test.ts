@@ -24,8 +24,13 @@ it("checks sums as zlib does", () => {
 
 describe("numbers", () => {
   it.each([
-    [0, "0"], [1234.567, "1235"], [-0.07071, "\u22120.07071"], [1.872e-13, "1.872\u00b710\u207b\u00b9\u00b3"],
-    [2e7, "2\u00b710\u2077"], [NaN, "\u2013"], [0.3000000001, "0.3"],
+    [0, "0"],
+    [1234.567, "1235"],
+    [-0.07071, "\u22120.07071"],
+    [1.872e-13, "1.872\u00b710\u207b\u00b9\u00b3"],
+    [2e7, "2\u00b710\u2077"],
+    [NaN, "\u2013"],
+    [0.3000000001, "0.3"],
   ])("%d reads well", (value, text) => expect(numberText(value)).toBe(text));
   it("carry units", () => {
     expect(unitText("kg m2/s")).toBe("kg m\u00b2/s");

@@ -82,10 +82,22 @@ describe("a recording", () => {
 
 describe("a damaged recording", () => {
   it.each([
-    ["other bytes", () => new TextEncoder().encode("PK nothing of ours"), "it does not start with the letters RETREPL"],
+    [
+      "other bytes",
+      () => new TextEncoder().encode("PK nothing of ours"),
+      "it does not start with the letters RETREPL",
+    ],
     ["a newer format", () => preamble(2), "has format 2, this page reads format 1"],
-    ["a flipped bit", () => tiny().map((b, k) => (k === 200 ? b ^ 1 : b)), "wrong checksum at byte 16"],
-    ["a frame before the header", () => join(preamble(), firstFrame()), "a frame comes before the header"],
+    [
+      "a flipped bit",
+      () => tiny().map((b, k) => (k === 200 ? b ^ 1 : b)),
+      "wrong checksum at byte 16",
+    ],
+    [
+      "a frame before the header",
+      () => join(preamble(), firstFrame()),
+      "a frame comes before the header",
+    ],
     ["a missing frame", () => join(preamble(), head(), secondFrame()), "frame 0 is missing"],
   ])("says so: %s", async (_, bytes, message) => {
     await expect(read(bytes())).rejects.toThrow(message);
@@ -94,7 +106,11 @@ describe("a damaged recording", () => {
   it("says so when a frame is decoded", async () => {
     const empty = await read(preamble(), head(), frame(0, 0, 0, []));
     await expect(empty.load(0)).rejects.toThrow("a frame is cut");
-    const line = await read(preamble(), head(), frame(0, 0, 0, [{ method: 2, residuals: [0, 0, 0] }]));
+    const line = await read(
+      preamble(),
+      head(),
+      frame(0, 0, 0, [{ method: 2, residuals: [0, 0, 0] }]),
+    );
     await expect(line.load(0)).rejects.toThrow("unknown method");
     const short = read(preamble(), head(), chunk("FRAM", firstFrame().subarray(8, 27)));
     await expect(short).rejects.toThrow("a frame is too short");

@@ -34,7 +34,8 @@ describe("the timeline", () => {
 });
 
 describe("the history", () => {
-  const csv = "time,step,mouth_area,contacts,momentum_x,newton_iterations\n0,0,2,0,5,0\n0.5,2,,0,5.5,8\n1,4,3,0,4,20\n1.5,6,9";
+  const csv =
+    "time,step,mouth_area,contacts,momentum_x,newton_iterations\n0,0,2,0,5,0\n0.5,2,,0,5.5,8\n1,4,3,0,4,20\n1.5,6,9";
   it("takes whole rows, with gaps", () => {
     const table = new Table(csv);
     expect(table.rows).toBe(3);
@@ -45,13 +46,24 @@ describe("the history", () => {
   it("is plotted without what says nothing", () => {
     const table = new Table(csv);
     const plots = plotsOf([table]);
-    expect(plots.map((p) => p.title)).toEqual(["Mouth area", "Change of momentum", "Newton iterations per step"]);
+    expect(plots.map((p) => p.title)).toEqual([
+      "Mouth area",
+      "Change of momentum",
+      "Newton iterations per step",
+    ]);
     expect(plots[1]!.curves[0]!.values(table)).toEqual(Float64Array.of(0, 0.5, -1));
     expect(plots[2]!.curves[0]!.values(table)).toEqual(Float64Array.of(NaN, 4, 6));
   });
   it("joins runs with different rows", () => {
-    const lines = [{ x: [0, 1], y: [5, NaN] }, { x: [0.5, 1], y: [6, 7] }].map((l) => ({ label: "", colour: 0, ...l }));
-    expect(joined(lines)).toEqual([[0, 0.5, 1], [5, null, null], [null, 6, 7]]);
+    const lines = [
+      { x: [0, 1], y: [5, NaN] },
+      { x: [0.5, 1], y: [6, 7] },
+    ].map((l) => ({ label: "", colour: 0, ...l }));
+    expect(joined(lines)).toEqual([
+      [0, 0.5, 1],
+      [5, null, null],
+      [null, 6, 7],
+    ]);
   });
   it("has a value between rows and none outside", () => {
     const line = { x: [0, 1, 3], y: [0, 10, 30] };

@@ -14,7 +14,12 @@ export interface Summary {
   units: Record<string, string>;
   seed: number | null;
   start_report: string;
-  versions: { retiarius: string; revision?: string; compiler: string; libraries: Record<string, string> };
+  versions: {
+    retiarius: string;
+    revision?: string;
+    compiler: string;
+    libraries: Record<string, string>;
+  };
   options: Record<string, string>;
   kernels: string;
 }

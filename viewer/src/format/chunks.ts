@@ -50,7 +50,10 @@ export class ChunkReader {
         throw new DataError(
           `the recording is damaged: wrong checksum at byte ${this.taken - all.length + place}`,
         );
-      chunks.push({ name: text(all.subarray(place, place + 4)), content: all.subarray(place + before, end) });
+      chunks.push({
+        name: text(all.subarray(place, place + 4)),
+        content: all.subarray(place + before, end),
+      });
       place = end + after;
     }
     this.whole = this.taken - (all.length - place);

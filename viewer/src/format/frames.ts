@@ -31,7 +31,8 @@ const [tension, strain, speed, sequences] = [3, 4, 6, 7];
 
 /** What a FRAM chunk says before its compressed part. */
 export function readFrameHead(content: Uint8Array): FrameHead {
-  if (content.length < fixedBytes) throw new DataError("the recording is damaged: a frame is too short");
+  if (content.length < fixedBytes)
+    throw new DataError("the recording is damaged: a frame is too short");
   const view = new DataView(content.buffer, content.byteOffset, content.byteLength);
   return {
     time: view.getFloat64(0, true),
@@ -74,7 +75,8 @@ export class FrameDecoder {
     const codes: Int32Array[] = [];
     let place = 0;
     const need = (count: number): Uint8Array => {
-      if (place + count > stream.length) throw new DataError("the recording is damaged: a frame is cut");
+      if (place + count > stream.length)
+        throw new DataError("the recording is damaged: a frame is cut");
       place += count;
       return stream.subarray(place - count, place);
     };
@@ -115,7 +117,13 @@ export class FrameDecoder {
   }
 
   /** Codes from folded residuals, in place. */
-  private restored(s: number, method: number, r: Int32Array, codes: Int32Array[], time: number): Int32Array {
+  private restored(
+    s: number,
+    method: number,
+    r: Int32Array,
+    codes: Int32Array[],
+    time: number,
+  ): Int32Array {
     const kind = method & 3;
     const needed = kind === 1 ? 1 : kind === 2 ? 2 : kind === 3 && s === speed ? 1 : 0;
     if (this.since < needed || (kind === 3 && s !== strain && s !== speed))
@@ -156,7 +164,12 @@ export class FrameDecoder {
     return guess;
   }
 
-  private strainGuess(guess: Int32Array, codes: Int32Array[], scale: Minifloat, last?: Int32Array): void {
+  private strainGuess(
+    guess: Int32Array,
+    codes: Int32Array[],
+    scale: Minifloat,
+    last?: Int32Array,
+  ): void {
     const force = this.header.channels[0]!.scale;
     const tensions = codes[tension]!;
     const before = this.last[tension];

@@ -32,6 +32,8 @@ export interface Header {
   size: number;
   quantum: number;
   error: number;
+  /** Frames from one key frame to the next. */
+  key_interval: number;
   channels: Channel[];
   corners: number[];
   bullets: Bullet[];
@@ -84,7 +86,10 @@ export async function readHeader(content: Uint8Array): Promise<Header> {
   } catch {
     throw new DataError("the recording is damaged: its header cannot be read");
   }
-  const arrays = readArrays(head.arrays ?? [], await inflate(content.subarray(4 + size), "deflate"));
+  const arrays = readArrays(
+    head.arrays ?? [],
+    await inflate(content.subarray(4 + size), "deflate"),
+  );
   const take = <T extends Numbers>(name: string): T => {
     const array = arrays.get(name);
     if (!array) throw new DataError(`the recording is damaged: its header lacks ${name}`);

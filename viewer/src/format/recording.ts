@@ -73,7 +73,13 @@ export class Recording {
     const first = this.keyOf(number);
     let group = this.groups.get(first);
     if (!group) {
-      group = { first, decoder: new FrameDecoder(this.header), frames: [], work: Promise.resolve(), used: 0 };
+      group = {
+        first,
+        decoder: new FrameDecoder(this.header),
+        frames: [],
+        work: Promise.resolve(),
+        used: 0,
+      };
       this.groups.set(first, group);
     }
     group.used = ++this.clock;
@@ -88,7 +94,8 @@ export class Recording {
 
   private add(content: Uint8Array): void {
     const head = readFrameHead(content);
-    if (!this.header) throw new DataError("the recording is damaged: a frame comes before the header");
+    if (!this.header)
+      throw new DataError("the recording is damaged: a frame comes before the header");
     if (head.number !== this.stored.length)
       throw new DataError(`the recording is damaged: frame ${this.stored.length} is missing`);
     this.stored.push({ ...head, content });

@@ -6,7 +6,11 @@ import type { Theme } from "./colour";
 /** The bodies' surfaces, lit, with their sharp edges drawn thinly. */
 export class Bodies {
   readonly group = new THREE.Group();
-  private readonly surface = new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0.08, side: THREE.DoubleSide });
+  private readonly surface = new THREE.MeshStandardMaterial({
+    roughness: 0.62,
+    metalness: 0.08,
+    side: THREE.DoubleSide,
+  });
   private readonly edge = new THREE.LineBasicMaterial({ transparent: true });
 
   constructor(header: Header) {

@@ -17,7 +17,9 @@ export class Extent {
   /** Every `stride` numbers start with x, y, z. */
   add(numbers: ArrayLike<number>, stride: number, count: number): void {
     for (let k = 0; k < count; ++k)
-      this.box.expandByPoint(this.point.set(numbers[stride * k]!, numbers[stride * k + 1]!, numbers[stride * k + 2]!));
+      this.box.expandByPoint(
+        this.point.set(numbers[stride * k]!, numbers[stride * k + 1]!, numbers[stride * k + 2]!),
+      );
   }
 
   addBall(x: number, y: number, z: number, radius: number): void {
@@ -36,15 +38,23 @@ export class Extent {
 
   corners(): THREE.Vector3[] {
     const { min, max } = this.box;
-    return Array.from({ length: 8 }, (_, k) =>
-      new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+    return Array.from(
+      { length: 8 },
+      (_, k) =>
+        new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z),
+    );
   }
 }
 
 const margin = 1.08;
 
 /** Sets the camera so that the box just fits the picture. */
-export function lookAt(camera: THREE.PerspectiveCamera, target: THREE.Vector3, extent: Extent, preset: Preset): void {
+export function lookAt(
+  camera: THREE.PerspectiveCamera,
+  target: THREE.Vector3,
+  extent: Extent,
+  preset: Preset,
+): void {
   const up = Math.tan((camera.fov * Math.PI) / 360) / margin;
   target.copy(extent.centre);
   const back = new THREE.Vector3(...presets[preset]).normalize();
@@ -56,7 +66,10 @@ export function lookAt(camera: THREE.PerspectiveCamera, target: THREE.Vector3, e
   let distance = 1e-3;
   for (const corner of extent.size > 0 ? extent.corners() : []) {
     const from = corner.sub(target);
-    const wide = Math.max(Math.abs(from.dot(upward)) / up, Math.abs(from.dot(across)) / (up * camera.aspect));
+    const wide = Math.max(
+      Math.abs(from.dot(upward)) / up,
+      Math.abs(from.dot(across)) / (up * camera.aspect),
+    );
     distance = Math.max(distance, wide + from.dot(back));
   }
   camera.position.copy(target).addScaledVector(back, distance);

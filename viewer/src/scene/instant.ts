@@ -4,7 +4,13 @@ import type { Minifloat } from "../format/minifloat";
 
 /** What the net can be coloured by. */
 export type Quantity = "tension" | "strain" | "curvature" | "speed" | "contact";
-export const quantities: readonly Quantity[] = ["tension", "strain", "curvature", "speed", "contact"];
+export const quantities: readonly Quantity[] = [
+  "tension",
+  "strain",
+  "curvature",
+  "speed",
+  "contact",
+];
 const channelOf = { tension: 0, strain: 1, curvature: 2, speed: 3 } as const;
 
 export function isOnNodes(quantity: Quantity): boolean {

@@ -5,7 +5,12 @@ const reach = 12; // CSS pixels
 const nodeReach = 7;
 
 /** A world point on the canvas in CSS pixels; undefined behind the camera. */
-export function project(stage: Stage, x: number, y: number, z: number): [number, number, number] | undefined {
+export function project(
+  stage: Stage,
+  x: number,
+  y: number,
+  z: number,
+): [number, number, number] | undefined {
   const point = new THREE.Vector3(x, y, z).applyMatrix4(stage.camera.matrixWorldInverse);
   const depth = -point.z;
   if (depth <= stage.camera.near) return undefined;
@@ -18,7 +23,10 @@ export function project(stage: Stage, x: number, y: number, z: number): [number,
 function bodyDepth(stage: Stage, x: number, y: number): number {
   const box = stage.canvas.getBoundingClientRect();
   const ray = new THREE.Raycaster();
-  ray.setFromCamera(new THREE.Vector2((2 * x) / box.width - 1, 1 - (2 * y) / box.height), stage.camera);
+  ray.setFromCamera(
+    new THREE.Vector2((2 * x) / box.width - 1, 1 - (2 * y) / box.height),
+    stage.camera,
+  );
   const hit = ray.intersectObjects(stage.bodies.group.children, false)[0];
   return hit ? -hit.point.applyMatrix4(stage.camera.matrixWorldInverse).z : Infinity;
 }
@@ -56,8 +64,12 @@ export function pick(stage: Stage, x: number, y: number): Selection {
   const node = header.ends[2 * chosen + (along < 0.5 ? 0 : 1)]!;
   const other = header.ends[2 * chosen + (along < 0.5 ? 1 : 0)]!;
   const gap = Math.hypot(x - places[3 * node]!, y - places[3 * node + 1]!);
-  const length = Math.hypot(places[3 * node]! - places[3 * other]!, places[3 * node + 1]! - places[3 * other + 1]!);
+  const length = Math.hypot(
+    places[3 * node]! - places[3 * other]!,
+    places[3 * node + 1]! - places[3 * other + 1]!,
+  );
   const drawn = header.bullets.some((bullet) => bullet.node === node);
-  if (gap < (drawn ? nodeReach : Math.min(nodeReach, 0.22 * length))) return { kind: "node", index: node };
+  if (gap < (drawn ? nodeReach : Math.min(nodeReach, 0.22 * length)))
+    return { kind: "node", index: node };
   return { kind: "segment", index: chosen };
 }

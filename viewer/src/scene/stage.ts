@@ -46,7 +46,12 @@ export class Stage {
     private readonly failed: (error: unknown) => void,
   ) {
     const { header } = recording;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -57,9 +62,19 @@ export class Stage {
     this.shared = sharedUniforms(this.instant);
     this.threads = new Threads(header, this.instant, this.shared);
     const nodes = header.bullets.map((b) => b.node);
-    this.bullets = new Balls(nodes, header.bullets.map((b) => b.radius), 3.2, this.shared);
+    this.bullets = new Balls(
+      nodes,
+      header.bullets.map((b) => b.radius),
+      3.2,
+      this.shared,
+    );
     const thick = header.radius.reduce((a, b) => Math.max(a, b), 0);
-    this.knots = new Balls(header.knots, new Float32Array(header.knots.length).fill(1.7 * thick), 1.5, this.shared);
+    this.knots = new Balls(
+      header.knots,
+      new Float32Array(header.knots.length).fill(1.7 * thick),
+      1.5,
+      this.shared,
+    );
     this.chosen = new Balls([0], [2 * thick], 5, this.shared);
     this.bodies = new Bodies(header);
     this.grid = new THREE.GridHelper(4 * header.size, 40);
@@ -98,8 +113,12 @@ export class Stage {
     this.bodies.colours(theme);
     const ink = theme === "dark" ? [0.9, 0.92, 0.95] : [0.2, 0.24, 0.3];
     this.bullets.colour(...(ink as [number, number, number]));
-    this.knots.colour(...((theme === "dark" ? [0.75, 0.78, 0.83] : [0.36, 0.41, 0.48]) as [number, number, number]));
-    this.chosen.colour(...((theme === "dark" ? [1, 0.35, 0.3] : [0.85, 0.1, 0.1]) as [number, number, number]));
+    this.knots.colour(
+      ...((theme === "dark" ? [0.75, 0.78, 0.83] : [0.36, 0.41, 0.48]) as [number, number, number]),
+    );
+    this.chosen.colour(
+      ...((theme === "dark" ? [1, 0.35, 0.3] : [0.85, 0.1, 0.1]) as [number, number, number]),
+    );
     (this.grid.material as THREE.Material).opacity = 0.22;
     (this.grid.material as THREE.Material).transparent = true;
     this.wanted = -1;
@@ -174,7 +193,8 @@ export class Stage {
 
   private pointToFollow(point: THREE.Vector3): THREE.Vector3 | undefined {
     if (this.follow === "net") return point.fromArray(this.instant.centre);
-    if (this.follow === "target" && this.instant.poses.length >= 7) return point.fromArray(this.instant.poses, 0);
+    if (this.follow === "target" && this.instant.poses.length >= 7)
+      return point.fromArray(this.instant.poses, 0);
     return undefined;
   }
 
@@ -203,7 +223,12 @@ export class Stage {
     this.bodies.group.children.forEach((mesh, k) => {
       const ball = (mesh as THREE.Mesh).geometry.boundingSphere ?? new THREE.Sphere();
       // A ground plane is drawn larger than what happens on it.
-      extent.addBall(poses[7 * k]!, poses[7 * k + 1]!, poses[7 * k + 2]!, Math.min(ball.radius, 0.5 * net));
+      extent.addBall(
+        poses[7 * k]!,
+        poses[7 * k + 1]!,
+        poses[7 * k + 2]!,
+        Math.min(ball.radius, 0.5 * net),
+      );
     });
   }
 
@@ -219,7 +244,8 @@ export class Stage {
     this.shared.view.value.copy(this.camera.matrixWorldInverse);
     this.shared.projection.value.copy(this.camera.projectionMatrix);
     const height = this.renderer.domElement.height || 1;
-    this.shared.pixel.value = (2 * Math.tan((this.camera.fov * Math.PI) / 360) * this.renderer.getPixelRatio()) / height;
+    this.shared.pixel.value =
+      (2 * Math.tan((this.camera.fov * Math.PI) / 360) * this.renderer.getPixelRatio()) / height;
     this.sun.position.copy(this.camera.position).add(this.spare.set(-0.4 * far, 0, 0.9 * far));
     this.sun.target.position.copy(this.controls.target);
     this.renderer.render(this.scene, this.camera);

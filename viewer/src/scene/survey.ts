@@ -7,12 +7,15 @@ import { isOnNodes, type Quantity, quantities, valueAt } from "./instant";
 export async function sampleFrames(recording: Recording): Promise<Frame[]> {
   const { count } = recording;
   const numbers = new Set<number>();
-  const spread = count <= 256 ? 16 : Math.ceil(count / 64);
+  const spread = count <= 256 ? 16 : Math.ceil(count / recording.header.key_interval);
   // In a long recording key frames only, which need no other to be decoded.
-  const align = (n: number): number => (count <= 256 ? n : 64 * Math.floor(n / 64));
-  for (let k = 0; k < spread; ++k) numbers.add(align(Math.round((k * (count - 1)) / Math.max(1, spread - 1))));
+  const interval = recording.header.key_interval;
+  const align = (n: number): number => (count <= 256 ? n : interval * Math.floor(n / interval));
+  for (let k = 0; k < spread; ++k)
+    numbers.add(align(Math.round((k * (count - 1)) / Math.max(1, spread - 1))));
   const frames: Frame[] = [];
-  for (const number of [...numbers].sort((a, b) => a - b)) frames.push(await recording.load(number));
+  for (const number of [...numbers].sort((a, b) => a - b))
+    frames.push(await recording.load(number));
   return frames;
 }
 

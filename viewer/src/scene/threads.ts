@@ -17,7 +17,13 @@ export interface Shared {
 
 export function sharedUniforms(instant: Instant): Shared {
   const rows = instant.nodes.length / (4 * instant.texels);
-  const nodes = new THREE.DataTexture(instant.nodes, instant.texels, rows, THREE.RGBAFormat, THREE.FloatType);
+  const nodes = new THREE.DataTexture(
+    instant.nodes,
+    instant.texels,
+    rows,
+    THREE.RGBAFormat,
+    THREE.FloatType,
+  );
   return {
     nodes: { value: nodes },
     texels: { value: instant.texels },
@@ -38,7 +44,12 @@ function quads(along: boolean, count: number): THREE.InstancedBufferGeometry {
   return geometry;
 }
 
-function mesh(geometry: THREE.BufferGeometry, vertex: string, fragment: string, uniforms: Shared): THREE.Mesh {
+function mesh(
+  geometry: THREE.BufferGeometry,
+  vertex: string,
+  fragment: string,
+  uniforms: Shared,
+): THREE.Mesh {
   const material = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: vertex,
@@ -92,7 +103,9 @@ export class Threads {
     const { low, high, logarithmic } = range;
     const span = logarithmic ? Math.log(high / low) : high - low;
     this.uniforms.range.value.set(low, span > 0 ? 1 / span : 1e30, logarithmic ? 1 : 0, 0);
-    (this.uniforms["mark"]!.value as THREE.Vector3).set(...(theme === "dark" ? [1, 0.35, 0.3] : [0.85, 0.1, 0.1]) as [number, number, number]);
+    (this.uniforms["mark"]!.value as THREE.Vector3).set(
+      ...((theme === "dark" ? [1, 0.35, 0.3] : [0.85, 0.1, 0.1]) as [number, number, number]),
+    );
   }
 
   choose(segment: number): void {
@@ -114,7 +127,10 @@ export class Balls {
     const geometry = quads(false, nodes.length);
     this.index = new THREE.InstancedBufferAttribute(Float32Array.from(nodes), 1);
     geometry.setAttribute("index", this.index);
-    geometry.setAttribute("radius", new THREE.InstancedBufferAttribute(Float32Array.from(radius), 1));
+    geometry.setAttribute(
+      "radius",
+      new THREE.InstancedBufferAttribute(Float32Array.from(radius), 1),
+    );
     const uniforms = { ...shared, least: { value: least }, tint: { value: this.tint } };
     this.mesh = mesh(geometry, ballVertex, ballFragment, uniforms);
   }

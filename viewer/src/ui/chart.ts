@@ -47,7 +47,9 @@ export function joined(lines: readonly Line[]): [number[], ...(number | null)[][
   const place = new Map(times.map((t, k) => [t, k]));
   const columns = lines.map((line) => {
     const column: (number | null)[] = new Array<number | null>(times.length).fill(null);
-    Array.from(line.x).forEach((t, k) => (column[place.get(t)!] = Number.isFinite(line.y[k]) ? line.y[k]! : null));
+    Array.from(line.x).forEach(
+      (t, k) => (column[place.get(t)!] = Number.isFinite(line.y[k]) ? line.y[k]! : null),
+    );
     return column;
   });
   return [times, ...columns];
@@ -63,17 +65,39 @@ export class Chart {
   private time = 0;
 
   constructor(
-    readonly content: ChartContent,
+    private content: ChartContent,
     private readonly seek: (time: number) => void,
   ) {
     const unit = unitText(content.unit);
     this.values = content.lines.map(() => h("b", {}));
     const key = content.lines.map((line, k) =>
-      h("span", {}, h("i", { style: `--c:var(--c${line.colour})`, "data-dash": line.dash ?? line.colour }), line.label, " ", this.values[k]));
-    this.element = h("figure", { class: "chart" },
+      h(
+        "span",
+        {},
+        h("i", { style: `--c:var(--c${line.colour})`, "data-dash": line.dash ?? line.colour }),
+        line.label,
+        " ",
+        this.values[k],
+      ),
+    );
+    this.element = h(
+      "figure",
+      { class: "chart" },
       h("figcaption", {}, content.title, unit ? h("small", {}, ` / ${unit}`) : undefined),
-      h("div", { class: "key" }, ...key), this.holder);
+      h("div", { class: "key" }, ...key),
+      this.holder,
+    );
     new ResizeObserver(() => this.resize()).observe(this.holder);
+  }
+
+  /** Takes longer lines of the same plot; false where it is another one. */
+  update(content: ChartContent): boolean {
+    const names = (c: ChartContent): string =>
+      JSON.stringify([c.title, c.unit, c.lines.map((line) => line.label)]);
+    if (names(content) !== names(this.content)) return false;
+    this.content = content;
+    this.plot?.setData(joined(content.lines) as uPlot.AlignedData);
+    return true;
   }
 
   /** Makes the plot anew, as when colours have changed. */
@@ -107,28 +131,44 @@ export class Chart {
 
   private make(width: number, height: number): void {
     const axis: uPlot.Axis = {
-      stroke: shown("--soft"), font: "11px system-ui, sans-serif", gap: 4,
-      grid: { stroke: shown("--grid"), width: 1 }, ticks: { show: false },
+      stroke: shown("--soft"),
+      font: "11px system-ui, sans-serif",
+      gap: 4,
+      grid: { stroke: shown("--grid"), width: 1 },
+      ticks: { show: false },
     };
     this.plot = new uPlot(
       {
-        width, height, legend: { show: false }, padding: [8, 8, 0, 0],
+        width,
+        height,
+        legend: { show: false },
+        padding: [8, 8, 0, 0],
         cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { range: (_, low, high) => this.range(low, high) } },
         axes: [
           { ...axis, size: 22, values: (_, ticks) => ticks.map((t) => numberText(t)) },
           { ...axis, size: 52, values: (_, ticks) => ticks.map((t) => numberText(t, 3)) },
         ],
-        series: [{}, ...this.content.lines.map((line) => ({
-          stroke: shown(`--c${line.colour}`), width: 1.6, dash: dashes[(line.dash ?? line.colour) % dashes.length]!,
-          points: { show: false }, spanGaps: true,
-        }))],
+        series: [
+          {},
+          ...this.content.lines.map((line) => ({
+            stroke: shown(`--c${line.colour}`),
+            width: 1.6,
+            dash: dashes[(line.dash ?? line.colour) % dashes.length]!,
+            points: { show: false },
+            spanGaps: true,
+          })),
+        ],
         // The scales are known when it draws, not before.
         hooks: { drawClear: [(plot) => this.drawMarks(plot)], draw: [() => this.at(this.time)] },
       },
-      joined(this.content.lines) as uPlot.AlignedData, this.holder);
+      joined(this.content.lines) as uPlot.AlignedData,
+      this.holder,
+    );
     this.plot.over.append(this.cursor);
-    this.plot.over.addEventListener("click", (event) => this.seek(this.plot!.posToVal(event.offsetX, "x")));
+    this.plot.over.addEventListener("click", (event) =>
+      this.seek(this.plot!.posToVal(event.offsetX, "x")),
+    );
   }
 
   private range(low: number, high: number): uPlot.Range.MinMax {

@@ -1,12 +1,23 @@
 import type { Header } from "../format/header";
 import { numberText, unitText } from "../format/number";
-import { contactColour, css, type Range, scaleColour, type Theme, valueAtPlace } from "../scene/colour";
+import {
+  contactColour,
+  css,
+  type Range,
+  scaleColour,
+  type Theme,
+  valueAtPlace,
+} from "../scene/colour";
 import type { Quantity } from "../scene/instant";
 import { h } from "./dom";
 import type { Store } from "./state";
 
 export const quantityNames: Record<Quantity, string> = {
-  tension: "Tension", strain: "Strain", curvature: "Curvature", speed: "Speed", contact: "Contact",
+  tension: "Tension",
+  strain: "Strain",
+  curvature: "Curvature",
+  speed: "Speed",
+  contact: "Contact",
 };
 
 export function unitOf(header: Header, quantity: Quantity): string {
@@ -35,11 +46,28 @@ export class Legend {
     this.low = number("Lowest value of the colour range");
     this.high = number("Highest value of the colour range");
     this.log = h("input", { type: "checkbox", change: () => this.read() });
-    this.control = h("details", { class: "range" }, h("summary", {}, "Range"),
-      h("div", {}, h("label", {}, "from ", this.low), h("label", {}, "to ", this.high),
+    this.control = h(
+      "details",
+      { class: "range" },
+      h("summary", {}, "Range"),
+      h(
+        "div",
+        {},
+        h("label", {}, "from ", this.low),
+        h("label", {}, "to ", this.high),
         h("label", { class: "check" }, this.log, "logarithmic"),
-        h("button", { click: () => this.store.set({ range: this.usual() }) }, "Reset")));
-    this.element = h("div", { class: "legend" }, this.title, this.bar, this.marks, this.states, this.control);
+        h("button", { click: () => this.store.set({ range: this.usual() }) }, "Reset"),
+      ),
+    );
+    this.element = h(
+      "div",
+      { class: "legend" },
+      this.title,
+      this.bar,
+      this.marks,
+      this.states,
+      this.control,
+    );
     store.listen((_, changed) => {
       if (changed.has("range") || changed.has("quantity") || changed.has("theme")) this.show();
     });
@@ -60,13 +88,17 @@ export class Legend {
     const { quantity, range, theme } = this.store.now;
     const unit = unitOf(this.header, quantity);
     const contact = quantity === "contact";
-    this.title.textContent = unit ? `${quantityNames[quantity]} / ${unit}` : quantityNames[quantity];
+    this.title.textContent = unit
+      ? `${quantityNames[quantity]} / ${unit}`
+      : quantityNames[quantity];
     this.bar.hidden = this.marks.hidden = this.control.hidden = contact;
     this.states.hidden = !contact;
     this.showStates(theme);
     const stops = Array.from({ length: 17 }, (_, k) => css(scaleColour(k / 16, theme)));
     this.bar.style.background = `linear-gradient(90deg, ${stops.join(",")})`;
-    this.marks.replaceChildren(...[0, 0.5, 1].map((t) => h("span", {}, numberText(valueAtPlace(t, range), 3))));
+    this.marks.replaceChildren(
+      ...[0, 0.5, 1].map((t) => h("span", {}, numberText(valueAtPlace(t, range), 3))),
+    );
     this.low.value = String(range.low);
     this.high.value = String(range.high);
     this.log.checked = range.logarithmic;
@@ -75,7 +107,8 @@ export class Legend {
   private showStates(theme: Theme): void {
     this.states.replaceChildren(
       ...["free", "slides", "sticks"].map((name, k) =>
-        h("span", {}, h("i", { style: `background:${css(contactColour(k, theme))}` }), name)),
+        h("span", {}, h("i", { style: `background:${css(contactColour(k, theme))}` }), name),
+      ),
     );
   }
 }

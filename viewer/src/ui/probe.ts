@@ -21,18 +21,28 @@ const ofNode: Wanted[] = [
 ];
 
 /** Recorded values of one segment or node in every frame: a list for each curve. */
-export async function readHistory(run: Run, selection: NonNullable<Selection>, progress: (share: number) => void,
-  cancelled: () => boolean): Promise<Float64Array[] | undefined> {
+export async function readHistory(
+  run: Run,
+  selection: NonNullable<Selection>,
+  progress: (share: number) => void,
+  cancelled: () => boolean,
+): Promise<Float64Array[] | undefined> {
   const { recording } = run;
   const { count, header } = recording;
-  const names: Quantity[] = selection.kind === "segment" ? ["tension", "strain"] : ["speed", "curvature"];
-  const lists = Array.from({ length: names.length + (selection.kind === "node" ? 3 : 0) }, () => new Float64Array(count));
+  const names: Quantity[] =
+    selection.kind === "segment" ? ["tension", "strain"] : ["speed", "curvature"];
+  const lists = Array.from(
+    { length: names.length + (selection.kind === "node" ? 3 : 0) },
+    () => new Float64Array(count),
+  );
   for (let k = 0; k < count; ++k) {
     const frame = recording.ready(k) ?? (await recording.load(k));
     if (cancelled()) return undefined;
     names.forEach((name, i) => (lists[i]![k] = valueAt(header, frame, name, selection.index)));
     if (selection.kind === "node")
-      positionAt(header, frame, selection.index).forEach((x, i) => (lists[names.length + i]![k] = x));
+      positionAt(header, frame, selection.index).forEach(
+        (x, i) => (lists[names.length + i]![k] = x),
+      );
     if (k % 16 === 0) progress(k / count);
   }
   return lists;
@@ -57,11 +67,24 @@ export class Probe {
     if (!selection) return;
     const state = h("span", { class: "note" }, "reading the recording\u2026");
     const title = `${selection.kind === "segment" ? "Segment" : "Node"} ${selection.index}`;
-    const head = h("header", {}, h("h3", {}, title, named ? h("small", {}, ` of ${run.label}`) : undefined),
-      h("button", { title: "Close (Escape)", "aria-label": "Close", click: () => this.close() }, "\u00d7"));
+    const head = h(
+      "header",
+      {},
+      h("h3", {}, title, named ? h("small", {}, ` of ${run.label}`) : undefined),
+      h(
+        "button",
+        { title: "Close (Escape)", "aria-label": "Close", click: () => this.close() },
+        "\u00d7",
+      ),
+    );
     this.element.replaceChildren(head, h("p", { class: "note" }, describe(run, selection)), state);
     try {
-      const lists = await readHistory(run, selection, (share) => (state.textContent = `reading the recording\u2026 ${Math.round(100 * share)} %`), () => turn !== this.turn);
+      const lists = await readHistory(
+        run,
+        selection,
+        (share) => (state.textContent = `reading the recording\u2026 ${Math.round(100 * share)} %`),
+        () => turn !== this.turn,
+      );
       if (lists) this.plot(run, selection, lists);
       if (lists) state.remove();
     } catch (error) {
@@ -70,10 +93,18 @@ export class Probe {
   }
 
   private plot(run: Run, selection: NonNullable<Selection>, lists: Float64Array[]): void {
-    const marks = run.phases().slice(1).map((phase) => phase.start);
+    const marks = run
+      .phases()
+      .slice(1)
+      .map((phase) => phase.start);
     let next = 0;
     for (const { title, unit, labels } of selection.kind === "segment" ? ofSegment : ofNode) {
-      const lines: Line[] = labels.map((label, k) => ({ label, x: run.recording.times, y: lists[next++]!, colour: k }));
+      const lines: Line[] = labels.map((label, k) => ({
+        label,
+        x: run.recording.times,
+        y: lists[next++]!,
+        colour: k,
+      }));
       const chart = new Chart({ title, unit, lines, marks }, this.seek);
       this.charts.push(chart);
       this.element.append(chart.element);
@@ -84,8 +115,10 @@ export class Probe {
 function describe(run: Run, { kind, index }: NonNullable<Selection>): string {
   const { header } = run.recording;
   if (kind === "segment")
-    return `between nodes ${header.ends[2 * index]} and ${header.ends[2 * index + 1]}, rest length ` +
-      `${numberText(header.restLength[index]!)}\u00a0m, thread radius ${numberText(1000 * header.radius[index]!)}\u00a0mm`;
+    return (
+      `between nodes ${header.ends[2 * index]} and ${header.ends[2 * index + 1]}, rest length ` +
+      `${numberText(header.restLength[index]!)}\u00a0m, thread radius ${numberText(1000 * header.radius[index]!)}\u00a0mm`
+    );
   const corner = header.corners.indexOf(index);
   const parts = [`mass ${numberText(1000 * header.mass[index]!)}\u00a0g`];
   if (corner >= 0) parts.unshift(`corner ${corner}`);

@@ -8,7 +8,9 @@ const speeds = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
 /** The speed at which a run of this duration takes about a dozen seconds. */
 export function fittingSpeed(duration: number): number {
-  return speeds.reduce((a, b) => (Math.abs(Math.log(duration / b / 12)) < Math.abs(Math.log(duration / a / 12)) ? b : a));
+  return speeds.reduce((a, b) =>
+    Math.abs(Math.log(duration / b / 12)) < Math.abs(Math.log(duration / a / 12)) ? b : a,
+  );
 }
 
 /** Play, steps, speed, and the slider with the phases marked on it. */
@@ -25,19 +27,41 @@ export class Transport {
     private readonly runs: Run[],
     private readonly store: Store,
   ) {
-    this.play = h("button", { class: "play", title: "Play or pause (space)", click: () => this.toggle() });
+    this.play = h("button", {
+      class: "play",
+      title: "Play or pause (space)",
+      click: () => this.toggle(),
+    });
     this.slider = h("input", {
-      type: "range", step: "any", "aria-label": "Time in seconds",
+      type: "range",
+      step: "any",
+      "aria-label": "Time in seconds",
       input: () => store.set({ time: Number(this.slider.value), playing: false }),
     });
-    this.speed = h("select", { "aria-label": "Speed", title: "Speed", change: () => store.set({ speed: Number(this.speed.value) }) });
+    this.speed = h("select", {
+      "aria-label": "Speed",
+      title: "Speed",
+      change: () => store.set({ speed: Number(this.speed.value) }),
+    });
     for (const s of speeds) this.speed.append(h("option", { value: s }, `${numberText(s)}\u00d7`));
-    const back = h("button", { title: "One frame back (,)", "aria-label": "One frame back", click: () => this.step(-1) }, icon("back"));
-    const forward = h("button", { title: "One frame on (.)", "aria-label": "One frame on", click: () => this.step(1) }, icon("forward"));
-    this.element = h("div", { class: "transport" },
+    const back = h(
+      "button",
+      { title: "One frame back (,)", "aria-label": "One frame back", click: () => this.step(-1) },
+      icon("back"),
+    );
+    const forward = h(
+      "button",
+      { title: "One frame on (.)", "aria-label": "One frame on", click: () => this.step(1) },
+      icon("forward"),
+    );
+    this.element = h(
+      "div",
+      { class: "transport" },
       h("div", { class: "buttons" }, back, this.play, forward),
       h("div", { class: "track" }, this.phases, this.slider),
-      this.clock, this.speed);
+      this.clock,
+      this.speed,
+    );
     this.speed.value = String(store.now.speed);
     this.renew();
     this.show();
@@ -53,6 +77,11 @@ export class Transport {
     return Math.max(...this.runs.map((run) => run.end));
   }
 
+  /** Where the slider ends: the runs may have grown since. */
+  get shownEnd(): number {
+    return Number(this.slider.max);
+  }
+
   /** After runs have grown. */
   renew(): void {
     this.slider.min = String(this.start);
@@ -61,12 +90,20 @@ export class Transport {
     const longest = this.runs.reduce((a, b) => (b.end > a.end ? b : a));
     const phases = longest.phases();
     this.phases.replaceChildren(
-      ...phases.filter((p) => p.end > p.start).map((phase) => {
-        const at = (100 * (phase.start - this.start)) / span;
-        const width = (100 * (Math.min(phase.end, this.end) - phase.start)) / span;
-        return h("span", { style: `left:${at}%;width:${width}%`, title: `${phase.name}: ${numberText(phase.start)} to ${numberText(phase.end)} s` },
-          h("i", {}, phase.name));
-      }),
+      ...phases
+        .filter((p) => p.end > p.start)
+        .map((phase) => {
+          const at = (100 * (phase.start - this.start)) / span;
+          const width = (100 * (Math.min(phase.end, this.end) - phase.start)) / span;
+          return h(
+            "span",
+            {
+              style: `left:${at}%;width:${width}%`,
+              title: `${phase.name}: ${numberText(phase.start)} to ${numberText(phase.end)} s`,
+            },
+            h("i", {}, phase.name),
+          );
+        }),
     );
   }
 
@@ -88,7 +125,11 @@ export class Transport {
     const { playing, time, speed } = this.store.now;
     if (!playing) return;
     const next = Math.min(this.end, time + passed * speed);
-    this.store.set(next >= this.end && !this.runs.some((run) => run.live) ? { time: next, playing: false } : { time: next });
+    this.store.set(
+      next >= this.end && !this.runs.some((run) => run.live)
+        ? { time: next, playing: false }
+        : { time: next },
+    );
   }
 
   private show(): void {

@@ -24,35 +24,49 @@ export class View {
     named: boolean,
     failed: (error: unknown) => void,
   ) {
-    const canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": `Moving picture of the run ${run.title}; the outcome above says it in words` });
+    const canvas = h("canvas", {
+      tabindex: 0,
+      role: "img",
+      "aria-label": `Moving picture of the run ${run.title}; the outcome above says it in words`,
+    });
     this.element = h("figure", { class: "stage" }, canvas, this.note);
     if (named) this.element.append(h("figcaption", {}, run.label));
     this.stage = new Stage(canvas, run.recording, failed);
-    new ResizeObserver(() => this.stage.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
+    new ResizeObserver(() =>
+      this.stage.resize(this.element.clientWidth, this.element.clientHeight),
+    ).observe(this.element);
     this.listenToClicks(canvas);
     store.listen((state, changed) => {
       if (changed.has("time")) this.show();
       if (changed.has("quantity") || changed.has("range") || changed.has("theme"))
         this.stage.colours(state.theme, state.quantity, state.range);
-      if (changed.has("knots") || changed.has("bullets") || changed.has("grid")) this.stage.parts(state.knots, state.bullets, state.grid);
+      if (changed.has("knots") || changed.has("bullets") || changed.has("grid"))
+        this.stage.parts(state.knots, state.bullets, state.grid);
       if (changed.has("follow")) this.stage.setFollow(state.follow);
-      if (changed.has("selection")) this.stage.select(state.selectedRun === index ? state.selection : undefined);
+      if (changed.has("selection"))
+        this.stage.select(state.selectedRun === index ? state.selection : undefined);
     });
   }
 
-  /** Decodes the first frame and a few others, from which colours and camera start. */
+  /** Decodes the first frame and what survey() looks at. */
   async prepare(): Promise<void> {
+    await this.survey();
+    await this.run.recording.load(0);
+  }
+
+  /** Looks at a few frames, from which come colours and camera. */
+  async survey(): Promise<void> {
     const { recording } = this.run;
     const frames = await sampleFrames(recording);
     this.ranges = usualRanges(recording, frames);
     const q = recording.header.quantum;
     for (const frame of frames) {
       const points = new Float64Array(3 * recording.header.nodes);
-      for (let k = 0; k < recording.header.nodes; ++k) points.set([frame.x[k]! * q, frame.y[k]! * q, frame.z[k]! * q], 3 * k);
+      for (let k = 0; k < recording.header.nodes; ++k)
+        points.set([frame.x[k]! * q, frame.y[k]! * q, frame.z[k]! * q], 3 * k);
       this.extent.add(points, 3, recording.header.nodes);
       this.stage.addBodies(this.extent, frame.poses);
     }
-    await recording.load(0);
   }
 
   /** Everything that happens, seen at once, or only what is there now where the way is long. */
@@ -72,9 +86,17 @@ export class View {
 
   private listenToClicks(canvas: HTMLCanvasElement): void {
     let start: { x: number; y: number } | undefined;
-    canvas.addEventListener("pointerdown", (event) => (start = { x: event.clientX, y: event.clientY }));
+    canvas.addEventListener(
+      "pointerdown",
+      (event) => (start = { x: event.clientX, y: event.clientY }),
+    );
     canvas.addEventListener("pointerup", (event) => {
-      if (!start || event.button !== 0 || Math.hypot(event.clientX - start.x, event.clientY - start.y) > 5) return;
+      if (
+        !start ||
+        event.button !== 0 ||
+        Math.hypot(event.clientX - start.x, event.clientY - start.y) > 5
+      )
+        return;
       const box = canvas.getBoundingClientRect();
       const selection = pick(this.stage, event.clientX - box.left, event.clientY - box.top);
       this.store.set({ selection, selectedRun: this.index });
