@@ -1,16 +1,13 @@
 import type { Run } from "../data/run";
 import type { Preset } from "../scene/camera";
-import { presets } from "../scene/camera";
-import { quantities, type Quantity } from "../scene/instant";
-import { Chart, type ChartContent, type Line } from "./chart";
+import type { Quantity } from "../scene/instant";
+import { commands } from "./commands";
 import { h } from "./dom";
 import { listenToKeys } from "./keys";
 import { Legend } from "./legend";
-import { type Plot, plotsOf } from "./plots";
-import { Probe } from "./probe";
+import { Panels } from "./panels";
 import { Settings } from "./settings";
 import { Store } from "./state";
-import { tables } from "./tables";
 import { applyTheme, initialTheme, keepTheme } from "./theme";
 import { fittingSpeed, Transport } from "./transport";
 import { View } from "./view";
@@ -20,12 +17,7 @@ export class App {
   readonly store: Store;
   readonly views: View[];
   private readonly transport: Transport;
-  private readonly probe: Probe;
-  private readonly charts = h("div", { class: "charts" });
-  private readonly report = h("div", {});
-  private all: Chart[] = [];
-  /** How many runs have told their end. */
-  private told = -1;
+  private readonly panels: Panels;
   /** Frames that there were when colours and extent were last looked for. */
   private surveyed = 0;
 
@@ -53,21 +45,12 @@ export class App {
     });
     this.views = runs.map((run, k) => new View(run, k, this.store, runs.length > 1, failed));
     this.transport = new Transport(runs, this.store);
-    this.probe = new Probe(
-      (time) => this.seek(time),
-      () => this.store.set({ selection: undefined }),
-      failed,
-    );
+    this.panels = new Panels(runs, this.store, (time) => this.seek(time), failed);
   }
 
   async start(): Promise<void> {
     for (const view of this.views) await view.prepare();
     this.build();
-    this.store.listen((state, changed) => {
-      if (changed.has("time")) this.chartsAt(state.time);
-      if (changed.has("selection")) void this.showProbe();
-      if (changed.has("theme")) this.recolour();
-    });
     this.store.set({
       range: this.usual("tension"),
       follow: this.views.some((view) => !view.whole) ? "net" : "nothing",
@@ -81,7 +64,7 @@ export class App {
     }
     this.look("oblique");
     this.linkCameras();
-    this.showRuns();
+    this.panels.update();
     requestAnimationFrame((now) => this.frame(now));
   }
 
@@ -89,7 +72,7 @@ export class App {
   async grow(): Promise<void> {
     const atEnd = this.store.now.time >= this.transport.shownEnd;
     this.transport.renew();
-    this.showRuns();
+    this.panels.update();
     if (atEnd) this.store.set({ time: this.transport.end });
     const frames = this.runs.reduce((n, run) => n + run.recording.count, 0);
     if (frames < 1.3 * this.surveyed && this.runs.some((run) => run.live)) return;
@@ -108,12 +91,12 @@ export class App {
   }
 
   look(preset: Preset): void {
-    const [first] = this.views;
-    if (this.store.now.follow === "nothing")
-      for (const view of this.views) view.stage.view(preset, view.whole);
-    else for (const view of this.views) view.stage.view(preset);
-    if (this.views.length > 1)
-      for (const view of this.views.slice(1)) this.copyCamera(first!, view);
+    const all = this.store.now.follow === "nothing";
+    for (const { stage, whole } of this.views) stage.view(preset, all ? whole : undefined);
+    // Pictures beside each other are seen from the same place, from where all of them fit.
+    const far = (view: View): number => view.stage.controls.getDistance();
+    const farthest = this.views.reduce((a, b) => (far(b) > far(a) ? b : a));
+    for (const view of this.views) if (view !== farthest) this.copyCamera(farthest, view);
   }
 
   colourBy(quantity: Quantity): void {
@@ -139,7 +122,7 @@ export class App {
       (q) => this.colourBy(q),
       (p) => this.look(p),
     );
-    const { help, open } = this.keys();
+    const { help, open } = listenToKeys(commands(this.store, this.transport, this));
     const corner = h(
       "div",
       { class: "corner" },
@@ -166,76 +149,11 @@ export class App {
         "section",
         { class: "viewer", "aria-label": "Replay" },
         h("div", { class: "left" }, stages, this.transport.element, settings.element),
-        h("aside", { class: "right", "aria-label": "Plots" }, this.probe.element, this.charts),
+        this.panels.plots,
       ),
-      this.report,
+      this.panels.report,
       help,
     );
-  }
-
-  private keys(): { help: HTMLDialogElement; open: () => void } {
-    const step = (n: number) => () => this.transport.step(n);
-    const speed = (factor: number) => () =>
-      this.store.set({ speed: fittingSpeed(12 * this.store.now.speed * factor) });
-    return listenToKeys([
-      { keys: [" "], shown: "space", text: "play or pause", run: () => this.transport.toggle() },
-      { keys: [",", "ArrowLeft"], shown: ",  \u2190", text: "one frame back", run: step(-1) },
-      { keys: [".", "ArrowRight"], shown: ".  \u2192", text: "one frame on", run: step(1) },
-      {
-        keys: ["Home"],
-        shown: "Home",
-        text: "to the start",
-        run: () => this.store.set({ time: this.transport.start }),
-      },
-      {
-        keys: ["End"],
-        shown: "End",
-        text: "to the end",
-        run: () => this.store.set({ time: this.transport.end }),
-      },
-      { keys: ["["], shown: "[", text: "slower", run: speed(0.5) },
-      { keys: ["]"], shown: "]", text: "faster", run: speed(2) },
-      ...Object.keys(presets).map((preset, k) => ({
-        keys: [String(k + 1)],
-        shown: String(k + 1),
-        text: `view: ${preset}`,
-        run: () => this.look(preset as Preset),
-      })),
-      {
-        keys: ["c"],
-        shown: "c",
-        text: "colour by the next quantity",
-        run: () =>
-          this.colourBy(
-            quantities[(quantities.indexOf(this.store.now.quantity) + 1) % quantities.length]!,
-          ),
-      },
-      {
-        keys: ["f"],
-        shown: "f",
-        text: "follow the net, or nothing",
-        run: () => this.store.set({ follow: this.store.now.follow === "net" ? "nothing" : "net" }),
-      },
-      {
-        keys: ["k"],
-        shown: "k",
-        text: "knots on or off",
-        run: () => this.store.set({ knots: !this.store.now.knots }),
-      },
-      {
-        keys: ["g"],
-        shown: "g",
-        text: "grid on or off",
-        run: () => this.store.set({ grid: !this.store.now.grid }),
-      },
-      { keys: ["t"], shown: "t", text: "light or dark", run: () => this.turnTheme() },
-      {
-        keys: ["Escape"],
-        shown: "Esc",
-        text: "close the history of what was clicked",
-        run: () => this.store.set({ selection: undefined }),
-      },
-    ]);
   }
 
   private seek(time: number): void {
@@ -243,66 +161,11 @@ export class App {
     this.store.set({ time: Math.max(start, Math.min(end, time)), playing: false });
   }
 
-  private turnTheme(): void {
+  turnTheme(): void {
     const theme = this.store.now.theme === "dark" ? "light" : "dark";
     applyTheme(theme);
     keepTheme(theme);
     this.store.set({ theme });
-  }
-
-  /** Plots and tables of what the runs say now. */
-  private showRuns(): void {
-    const histories = this.runs.map((run) => run.history);
-    const contents = plotsOf(histories).map((plot) => this.chartContent(plot));
-    const kept =
-      contents.length === this.all.length &&
-      contents.every((content, k) => this.all[k]!.update(content));
-    if (!kept) {
-      this.all = contents.map((content) => new Chart(content, (time) => this.seek(time)));
-      this.charts.replaceChildren(...this.all.map((chart) => chart.element));
-    }
-    const told = this.runs.filter((run) => run.summary).length;
-    if (told !== this.told) this.report.replaceChildren(tables(this.runs));
-    this.told = told;
-    this.chartsAt(this.store.now.time);
-  }
-
-  private chartContent(plot: Plot): ChartContent {
-    const several = this.runs.length > 1;
-    const lines = this.runs.flatMap((run, r) =>
-      plot.curves.flatMap((curve, c): Line[] => {
-        const y = curve.values(run.history);
-        if (!y) return [];
-        const label = !several
-          ? curve.label
-          : plot.curves.length > 1
-            ? `${run.label}: ${curve.label}`
-            : run.label;
-        return [
-          { label, x: run.history.column("time")!, y, colour: several ? r % 7 : c % 7, dash: c },
-        ];
-      }),
-    );
-    const marks = several
-      ? []
-      : this.runs[0]!.phases()
-          .slice(1)
-          .map((phase) => phase.start);
-    return { title: plot.title, unit: plot.unit, lines, marks, zeroBased: plot.zeroBased ?? false };
-  }
-
-  private async showProbe(): Promise<void> {
-    const { selection, selectedRun } = this.store.now;
-    await this.probe.show(this.runs[selectedRun]!, selection, this.runs.length > 1);
-    this.chartsAt(this.store.now.time);
-  }
-
-  private chartsAt(time: number): void {
-    for (const chart of [...this.all, ...this.probe.charts]) chart.at(time);
-  }
-
-  private recolour(): void {
-    for (const chart of [...this.all, ...this.probe.charts]) chart.renew();
   }
 
   private copyCamera(from: View, to: View): void {
