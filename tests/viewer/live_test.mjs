@@ -8,27 +8,29 @@ import { openBrowser, openPage } from "./browser.mjs";
 import { pictures, runs, variety } from "./setting.mjs";
 
 const replay = readFileSync(join(runs, "drop", "replay.bin"));
-const history = readFileSync(join(runs, "drop", "history.csv"), "utf8");
+const history = readFileSync(join(runs, "drop", "history.csv"));
 const summary = readFileSync(join(runs, "drop", "summary.json"), "utf8");
 const template = readFileSync(process.env.RETIARIUS_VIEWER_TEMPLATE, "utf8");
 
 /** Shows `shown` of the files; `.asked` lists the ranges that were asked for. */
 function serve() {
   const state = { bytes: 0, rows: 0, ended: false, asked: [] };
+  const growing = {
+    "/replay.bin": () => replay.subarray(0, state.bytes),
+    "/history.csv": () => history.subarray(0, Math.floor(history.length * state.rows)),
+  };
   const answers = {
     "/": () => ["text/html", template.replace("retiarius-connect", "'self'")],
-    "/history.csv": () => ["text/csv", history.slice(0, Math.floor(history.length * state.rows))],
     "/summary.json": () => state.ended && ["application/json", summary],
   };
   const server = createServer((request, response) => {
     const path = request.url.split("?")[0];
-    if (path === "/replay.bin") {
+    if (growing[path]) {
       const from = Number(/bytes=(\d+)-/.exec(request.headers.range ?? "")?.[1] ?? 0);
-      state.asked.push(from);
-      if (from >= state.bytes) return response.writeHead(416).end();
-      return response
-        .writeHead(206, { "content-type": "application/octet-stream" })
-        .end(replay.subarray(from, state.bytes));
+      const there = growing[path]();
+      if (path === "/replay.bin") state.asked.push(from);
+      if (from >= there.length) return response.writeHead(416).end();
+      return response.writeHead(206).end(there.subarray(from));
     }
     const answer = answers[path]?.();
     if (!answer) return response.writeHead(path === "/favicon.ico" ? 204 : 404).end();
@@ -74,6 +76,8 @@ test("the page follows a run that grows, from before its first frame to its end"
       () => document.querySelector(".outcome b").textContent === "Finished",
     );
     assert.match(await page.innerText(".tables"), /Measures of the whole run/);
+    const rows = await page.evaluate(() => window.retiarius.app.views[0].run.history.rows);
+    assert.equal(rows, history.toString().trim().split("\n").length - 1);
     const [colours] = await variety(page);
     assert.ok(colours > 200);
     await page.screenshot({ path: join(pictures, "live.png") });

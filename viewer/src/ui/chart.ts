@@ -23,6 +23,11 @@ export interface ChartContent {
 
 const dashes = [[], [7, 3], [2.5, 3], [9, 3, 2, 3], [4, 3], [12, 4], [1.5, 4]];
 
+/** Ticks of the time axis, the last with the unit. */
+function inSeconds(ticks: number[]): string[] {
+  return ticks.map((t, k) => numberText(t) + (k + 1 === ticks.length ? "\u00a0s" : ""));
+}
+
 function shown(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
@@ -146,7 +151,7 @@ export class Chart {
         cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { range: (_, low, high) => this.range(low, high) } },
         axes: [
-          { ...axis, size: 22, values: (_, ticks) => ticks.map((t) => numberText(t)) },
+          { ...axis, size: 22, values: (_, ticks) => inSeconds(ticks) },
           { ...axis, size: 52, values: (_, ticks) => ticks.map((t) => numberText(t, 3)) },
         ],
         series: [
