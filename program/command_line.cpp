@@ -53,6 +53,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_new_command(app);
   add_info_command(app);
   add_export_command(app);
+  add_report_command(app);
   add_converge_command(app, code);
   add_verify_command(app, code);
   add_bench_command(app);
