@@ -54,6 +54,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_info_command(app);
   add_export_command(app);
   add_report_command(app);
+  add_render_command(app);
+  add_view_command(app);
   add_docs_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!command->get_group().empty()) command->group("Commands");
