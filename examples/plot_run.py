@@ -8,7 +8,7 @@ with h5py.File(sys.argv[1], "r", swmr=True) as run:
     figure, axes = plt.subplots(2, sharex=True)
     for axis, name in zip(axes, ["mouth_area", "peak_tension"]):
         column = run["history"][name]
-        axis.plot(run["history/time"], column)
+        axis.plot(run["history/time"][:], column[:])
         axis.set_ylabel(f"{name} / {column.attrs['units'].decode()}")
     axes[1].set_xlabel("time / s")
     plt.savefig(sys.argv[2]) if len(sys.argv) > 2 else plt.show()
