@@ -8,7 +8,7 @@
 #include "program/console.hpp"
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/mission/reader.hpp"
-#include "retiarius/solve/kernels.hpp"
+#include "retiarius/base/instruction_set.hpp"
 
 namespace retiarius::program {
 

@@ -56,6 +56,9 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_report_command(app);
   add_render_command(app);
   add_view_command(app);
+  add_converge_command(app, code);
+  add_verify_command(app, code);
+  add_bench_command(app);
   add_docs_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!command->get_group().empty()) command->group("Commands");

@@ -20,7 +20,7 @@
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/output_folder.hpp"
 #include "retiarius/report/run_recorders.hpp"
-#include "retiarius/solve/kernels.hpp"
+#include "retiarius/base/instruction_set.hpp"
 
 namespace retiarius::program {
 

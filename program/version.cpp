@@ -5,7 +5,7 @@
 
 #include "program/text_table.hpp"
 #include "retiarius/base/build_info.hpp"
-#include "retiarius/solve/kernels.hpp"
+#include "retiarius/base/instruction_set.hpp"
 
 namespace retiarius::program {
 

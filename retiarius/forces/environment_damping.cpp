@@ -23,12 +23,16 @@ double EnvironmentDamping::potential(const Step& step, const std::vector<Vec3>& 
   return 0.5 * mu_ / step.rate * sum;
 }
 
-void EnvironmentDamping::assemble(const Step& step, const std::vector<Vec3>& y,
-                                  Assembly& out) const {
+double EnvironmentDamping::assemble(const Step& step, const std::vector<Vec3>& y,
+                                    Assembly& out) const {
+  double sum = 0.0;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
-    (*out.gradient)[i] += mu_ * mass_[i] * step.stage_velocity(static_cast<Index>(i), y[i]);
+    const Vec3 w = step.stage_velocity(static_cast<Index>(i), y[i]);
+    (*out.gradient)[i] += mu_ * mass_[i] * w;
     if (out.hessian) out.hessian->diagonal[i].diagonal().array() += mu_ * mass_[i] * step.rate;
+    sum += mass_[i] * w.squaredNorm();
   }
+  return step.rate > 0.0 ? 0.5 * mu_ / step.rate * sum : 0.0;
 }
 
 void EnvironmentDamping::account(const Step& step, const std::vector<Vec3>& y,

@@ -5,12 +5,21 @@ namespace retiarius {
 // Measured from the start positions: the smaller the number, the finer the line search sees.
 double Gravity::potential(const Step& step, const std::vector<Vec3>& y) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < mass_.size(); ++i) sum -= mass_[i] * g_.dot(y[i] - step.start->x[i]);
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const Vec3 weight = mass_[i] * g_;
+    sum -= weight.dot(y[i] - step.start->x[i]);
+  }
   return sum;
 }
 
-void Gravity::assemble(const Step&, const std::vector<Vec3>&, Assembly& out) const {
-  for (std::size_t i = 0; i < mass_.size(); ++i) (*out.gradient)[i] -= mass_[i] * g_;
+double Gravity::assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const Vec3 weight = mass_[i] * g_;
+    (*out.gradient)[i] -= weight;
+    sum -= weight.dot(y[i] - step.start->x[i]);
+  }
+  return sum;
 }
 
 void Gravity::account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>&,

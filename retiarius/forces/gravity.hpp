@@ -14,7 +14,7 @@ class Gravity final : public Law {
 
   std::string_view name() const override { return "gravity"; }
   double potential(const Step& step, const std::vector<Vec3>& y) const override;
-  void assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
+  double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
   void account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                Exchange& exchange) const override;
 

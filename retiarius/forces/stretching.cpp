@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "retiarius/forces/element_sums.hpp"
+
 namespace retiarius {
 
 namespace {
-
-// Strain below which a tension-only thread is slack beyond doubt: above what rounding makes of the
-// rest length.
-constexpr double kEdge = 1e-12;
 
 // Rate of the strain at the start of the step, from the start's velocities, 1/s.
 double start_rate(const State& s, Index a, Index b, double rest_length) {
@@ -47,11 +45,26 @@ double rate_offset(const Step& step, Index a, Index b, double rest_length) {
 
 Stretching::Stretching(const Network& network) {
   elements_.reserve(network.segments.size());
+  std::vector<Index> nodes;
   for (const Segment& s : network.segments) {
     const Material& m = network.materials[s.material];
-    elements_.push_back({s.a, s.b, s.rest_length, m.axial_stiffness, m.damping, m.compression,
-                         m.axial_stiffness, 0.0, 0.0, 0.0});
+    elements_.push_back(
+        {s.a, s.b, s.rest_length, m.axial_stiffness, m.damping, m.compression, 0.0, 0.0});
+    a_.push_back(s.a);
+    b_.push_back(s.b);
+    rest_.push_back(s.rest_length);
+    stiffness_.push_back(m.axial_stiffness);
+    bilateral_.push_back(m.compression ? 1.0 : 0.0);
+    nodes.insert(nodes.end(), {s.a, s.b});
   }
+  const std::size_t padded = elements_.size() + kernels::kElementPadding;
+  a_.resize(padded, 0);
+  b_.resize(padded, 0);
+  rest_.resize(padded, 1.0);
+  stiffness_.resize(padded, 1.0);
+  bilateral_.resize(padded, 0.0);
+  offset_.assign(padded, 0.0);
+  chunks_ = ElementChunks(nodes, 2);
 }
 
 void Stretching::couple(BlockPattern& pattern) const {
@@ -60,17 +73,19 @@ void Stretching::couple(BlockPattern& pattern) const {
 
 void Stretching::bind(const BlockPattern& pattern) {
   slots_.clear();
-  slots_.reserve(elements_.size());
+  slots_.reserve(a_.size());
   for (const Element& e : elements_) slots_.push_back(pattern.slot(e.a, e.b));
+  slots_.resize(a_.size(), 0);
 }
 
 void Stretching::prepare(const Step& step) {
   trapezoid_ = step.strain_rate == Step::StrainRate::trapezoid;
   const bool rated = step.strain_rate != Step::StrainRate::none;
   const bool linear = rated && step.strain_rate != Step::StrainRate::start;
-  for (Element& e : elements_) {
-    e.stiffness = e.axial_stiffness;
-    e.offset = 0.0;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    Element& e = elements_[k];
+    stiffness_[k] = e.axial_stiffness;
+    offset_[k] = 0.0;
     e.viscous = 0.0;
     if (e.damping == 0.0 || !rated) continue;
     const double eps0 = axial_strain(step.start->x[e.a], step.start->x[e.b], e.rest_length);
@@ -79,8 +94,8 @@ void Stretching::prepare(const Step& step) {
     const double rate = linear ? step.rate : 0.0;
     double offset = taut ? rate_offset(step, e.a, e.b, e.rest_length) : 0.0;
     if (!e.compression && linear) offset = std::min(offset, rate * e.strain);
-    e.stiffness = e.axial_stiffness * (1.0 + e.damping * rate);
-    e.offset = e.axial_stiffness * e.damping * (rate * e.strain - offset);
+    stiffness_[k] = e.axial_stiffness * (1.0 + e.damping * rate);
+    offset_[k] = e.axial_stiffness * e.damping * (rate * e.strain - offset);
     if (trapezoid_ && taut) {
       const double elastic = e.axial_stiffness * eps0;
       const double now = elastic + e.axial_stiffness * e.damping *
@@ -90,63 +105,44 @@ void Stretching::prepare(const Step& step) {
   }
 }
 
-double Stretching::tension(const Element& e, double strain) const {
-  if (!e.compression && strain <= 0.0) return 0.0;
-  const double t = e.stiffness * strain - e.offset;
-  return e.compression ? t : std::max(0.0, t);
+double Stretching::tension(std::size_t element, double strain) const {
+  const bool compression = elements_[element].compression;
+  if (!compression && strain <= 0.0) return 0.0;
+  const double t = stiffness_[element] * strain - offset_[element];
+  return compression ? t : std::max(0.0, t);
+}
+
+double Stretching::sum(const std::vector<Vec3>& y, bool definite,
+                       const kernels::ElementSums& out) const {
+  const kernels::SegmentArrays arrays{a_.data(),        b_.data(),         slots_.data(),
+                                      rest_.data(),     stiffness_.data(), offset_.data(),
+                                      bilateral_.data()};
+  const kernels::ElementTable& table = kernels::elements();
+  return chunks_.sum([&](long begin, long end) {
+    return table.stretching(arrays, begin, end, y.front().data(), definite, out);
+  });
 }
 
 double Stretching::potential(const Step&, const std::vector<Vec3>& y) const {
-  double sum = 0.0;
-  for (const Element& e : elements_) {
-    const double eps = axial_strain(y[e.a], y[e.b], e.rest_length);
-    if (e.compression) {
-      sum += e.rest_length * eps * (0.5 * e.stiffness * eps - e.offset);
-    } else {
-      const double t = tension(e, eps);
-      sum += 0.5 * e.rest_length * t * t / e.stiffness;
-    }
-  }
-  return sum;
+  return sum(y, false, {nullptr, nullptr, nullptr});
 }
 
-void Stretching::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const {
-  std::vector<Vec3>& g = *out.gradient;
-  for (std::size_t k = 0; k < elements_.size(); ++k) {
-    const Element& e = elements_[k];
-    const Vec3 edge = y[e.b] - y[e.a];
-    const double l = edge.norm();
-    const double strain = l / e.rest_length - 1.0;
-    const double t = tension(e, strain);
-    // A thread at the edge of slackness counts as taut in the Hessian: straight threads at rest
-    // would else learn of a pull by one segment an iteration.
-    if (!e.compression && std::min(strain, strain - e.offset / e.stiffness) < -kEdge) continue;
-    // A bilateral segment of no length has no direction; any one will do for the push apart.
-    const Vec3 dir = l > 0.0 ? Vec3(edge / l) : Vec3::UnitX();
-    const Vec3 force = t * dir;
-    g[e.a] -= force;
-    g[e.b] += force;
-    if (!out.hessian) continue;
-    const double across = (out.definite ? std::max(0.0, t) : t) / std::max(l, 1e-9 * e.rest_length);
-    Mat3 block = ((e.stiffness / e.rest_length - across) * dir) * dir.transpose();
-    block.diagonal().array() += across;
-    out.hessian->diagonal[e.a] += block;
-    out.hessian->diagonal[e.b] += block;
-    out.hessian->below[slots_[k]] -= block;
-  }
+double Stretching::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const {
+  return sum(y, out.definite, element_sums(out));
 }
 
 // Viscous tension times elongation. The trapezoid's force over the step is the mean of those at its
 // two ends.
 void Stretching::account(const Step&, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                          Exchange& exchange) const {
-  for (const Element& e : elements_) {
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
     if (e.damping == 0.0) continue;
     const double stage = axial_strain(y[e.a], y[e.b], e.rest_length);
     const double end = axial_strain(x1[e.a], x1[e.b], e.rest_length);
     const double taut_stage = e.compression ? stage : std::max(0.0, stage);
     const double taut_end = e.compression ? end : std::max(0.0, end);
-    double viscous = tension(e, stage) - e.axial_stiffness * taut_stage;
+    double viscous = tension(k, stage) - e.axial_stiffness * taut_stage;
     if (trapezoid_) viscous = 0.5 * (viscous + e.viscous);
     exchange.material_loss += viscous * e.rest_length * (taut_end - e.strain);
   }
@@ -155,8 +151,10 @@ void Stretching::account(const Step&, const std::vector<Vec3>& y, const std::vec
 std::vector<double> Stretching::tensions(const std::vector<Vec3>& y) const {
   std::vector<double> result;
   result.reserve(elements_.size());
-  for (const Element& e : elements_)
-    result.push_back(tension(e, axial_strain(y[e.a], y[e.b], e.rest_length)));
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
+    result.push_back(tension(k, axial_strain(y[e.a], y[e.b], e.rest_length)));
+  }
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "retiarius/forces/element_chunks.hpp"
+#include "retiarius/forces/element_kernels.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/law.hpp"
 
@@ -29,7 +31,7 @@ class Stretching final : public Law {
   void bind(const BlockPattern& pattern) override;
   void prepare(const Step& step) override;
   double potential(const Step& step, const std::vector<Vec3>& y) const override;
-  void assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
+  double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
   void account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                Exchange& exchange) const override;
 
@@ -47,15 +49,17 @@ class Stretching final : public Law {
     double axial_stiffness;  // EA, N
     double damping;          // tau, s
     bool compression;
-    double stiffness;  // c, N
-    double offset;     // d, N
-    double strain;     // eps0 at the start, taut part for tension-only threads
-    double viscous;    // viscous tension at the start, N (trapezoid only)
+    double strain;   // eps0 at the start, taut part for tension-only threads
+    double viscous;  // viscous tension at the start, N (trapezoid only)
   };
-  double tension(const Element& e, double strain) const;
+  double tension(std::size_t element, double strain) const;
+  double sum(const std::vector<Vec3>& y, bool definite, const kernels::ElementSums& out) const;
 
   std::vector<Element> elements_;
-  std::vector<Index> slots_;
+  // The same, as the kernels read them, with padding.
+  std::vector<Index> a_, b_, slots_;
+  std::vector<double> rest_, stiffness_, offset_, bilateral_;
+  ElementChunks chunks_;
   bool trapezoid_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "retiarius/base/log.hpp"
 #include "retiarius/mission/mission.hpp"
 #include "retiarius/mission/observer.hpp"
+#include "retiarius/state/law.hpp"
 
 namespace retiarius {
 
@@ -22,6 +23,8 @@ struct RunOptions {
   // Where the run starts instead of the mission's initial positions; bodies too where there are as
   // many as the mission has. Time and accounts begin anew.
   std::optional<State> start;
+  // Sees every law before it joins the simulation; see state/law.hpp. May be empty.
+  LawWrapper wrap_law;
   Log log;
 };
 

@@ -23,6 +23,11 @@ const Table<IntegratorSpec>& integrator_table() {
             "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, or the "
             "static equilibrium")
            .not_yet({"auto", "explicit"}),
+       word("solver", &IntegratorSpec::solver,
+            {{"auto", Solver::automatic}, {"direct", Solver::direct}, {"reuse", Solver::reuse}},
+            "how the equations of a step are solved: with a new factorisation for every iteration "
+            "(direct) or with one kept while it serves (reuse); auto takes reuse where all threads "
+            "carry compression"),
        key("step", &IntegratorSpec::step, "s", "h; divides output.interval").above(0),
        key("tolerance", &IntegratorSpec::tolerance, "",
            "of Newton's iteration: of moves over the median rest length and of forces over the "

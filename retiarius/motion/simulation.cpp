@@ -41,20 +41,25 @@ State initial_state(const Network& network, const std::vector<Body>& bodies) {
   return s;
 }
 
-Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, State state)
-    : network_(&network), bodies_(&bodies), state_(std::move(state)) {
+Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, State state,
+                       LawWrapper wrap)
+    : network_(&network), bodies_(&bodies), state_(std::move(state)), wrap_(std::move(wrap)) {
   auto stretching = std::make_unique<Stretching>(network);
   stretching_ = stretching.get();
-  laws_.push_back(std::move(stretching));
+  add_law(std::move(stretching));
   auto bending = std::make_unique<BendingLaw>(network);
   if (!bending->empty()) {
     bending_ = bending.get();
-    laws_.push_back(std::move(bending));
+    add_law(std::move(bending));
   }
   lasting_laws_ = laws_.size();
   problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, make_multifrontal_solver());
   length_scale_ = median_rest_length(network);
   tensions_ = stretching_->tensions(state_.x);
+}
+
+void Simulation::add_law(std::unique_ptr<Law> law) {
+  laws_.push_back(wrap_ ? wrap_(std::move(law)) : std::move(law));
 }
 
 void Simulation::configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
@@ -64,14 +69,21 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   contact_ = contact;
   laws_.resize(lasting_laws_);
   if (!environment.gravity.isZero(0.0))
-    laws_.push_back(std::make_unique<Gravity>(network_->mass, environment.gravity));
+    add_law(std::make_unique<Gravity>(network_->mass, environment.gravity));
   if (environment.damping > 0.0)
-    laws_.push_back(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
+    add_law(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
   problem_->bind_laws();
   response_.reset();
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
     response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
                                                contact.friction);
+}
+
+// Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
+bool Simulation::reuses_factors() const {
+  if (integrator_.solver != Solver::automatic) return integrator_.solver == Solver::reuse;
+  return std::all_of(network_->materials.begin(), network_->materials.end(),
+                     [](const Material& m) { return m.compression; });
 }
 
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions
@@ -154,8 +166,10 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   }
   settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;
+  settings.reuse = reuses_factors();
   const NewtonResult result = minimise(*problem_, settings);
   report.iterations += result.iterations;
+  report.factorisations += result.factorisations;
   report.projections += result.projections;
   if (!result.converged) {
     failure = result.failure;
@@ -299,6 +313,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
     settings.step_tolerance = integrator_.tolerance * length_scale_;
     settings.round_off_step = round_off_step();
     settings.max_iterations = integrator_.max_iterations;
+    settings.reuse = reuses_factors();
     const NewtonResult result = minimise(*problem_, settings);
     report.iterations += result.iterations;
     if (!result.converged) {

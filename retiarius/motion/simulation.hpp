@@ -25,9 +25,10 @@ using PrescribedMotion = std::function<std::vector<Prescribed>(double time)>;
 
 // What one accepted step took.
 struct StepReport {
-  double h = 0.0;       // s
-  int iterations = 0;   // Newton's, those of failed attempts included
-  int halvings = 0;     // before the step was accepted
+  double h = 0.0;      // s
+  int iterations = 0;  // Newton's, those of failed attempts included
+  int halvings = 0;    // before the step was accepted
+  int factorisations = 0;
   int projections = 0;  // of the Hessian
 };
 
@@ -37,8 +38,10 @@ State initial_state(const Network& network, const std::vector<Body>& bodies);
 
 class Simulation {
  public:
-  // Network and bodies must outlive the simulation.
-  Simulation(const Network& network, const std::vector<Body>& bodies, State state);
+  // Network and bodies must outlive the simulation. `wrap` sees every law before it joins; what the
+  // simulation reports of energies and tensions is that of its own laws.
+  Simulation(const Network& network, const std::vector<Body>& bodies, State state,
+             LawWrapper wrap = {});
 
   // Sets surroundings, integrator and contact for the steps that follow.
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
@@ -74,13 +77,16 @@ class Simulation {
   double stretching_energy() const { return stretching_->energy(state_.x); }             // J
   double bending_energy() const { return bending_ ? bending_->energy(state_.x) : 0.0; }  // J
   const LinearSolver& solver() const { return problem_->solver(); }
+  const WorkTimes& work_times() const { return problem_->work_times(); }
 
  private:
+  void add_law(std::unique_ptr<Law> law);
   bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
                 std::string& failure);
   std::vector<Vec3> start_acceleration();
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
+  bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
   void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
@@ -92,6 +98,7 @@ class Simulation {
   IntegratorSpec integrator_;
   ContactSpec contact_;
   State state_;
+  LawWrapper wrap_;
   std::vector<std::unique_ptr<Law>> laws_;
   Stretching* stretching_ = nullptr;
   BendingLaw* bending_ = nullptr;

@@ -5,12 +5,17 @@ namespace retiarius {
 
 enum class Method { implicit_euler, newmark, midpoint, static_solve };
 
+// How a step's equations are solved: with a new factorisation for every iteration (direct), or with
+// one kept while it serves (reuse). automatic: reuse where all threads carry compression.
+enum class Solver { automatic, direct, reuse };
+
 struct IntegratorSpec {
   Method method = Method::implicit_euler;
   double step = 0.01;         // h, s
   double tolerance = 1.0e-8;  // of Newton's iteration
-  int max_iterations = 50;    // Newton iterations of one step before it is halved
-  int max_halvings = 10;      // of a step before the run fails
+  Solver solver = Solver::automatic;
+  int max_iterations = 50;  // Newton iterations of one step before it is halved
+  int max_halvings = 10;    // of a step before the run fails
 };
 
 }  // namespace retiarius

@@ -1,9 +1,30 @@
 #include "retiarius/motion/step_problem.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace retiarius {
+
+namespace {
+
+// Adds the time of its own life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() {
+    const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - start_;
+    sum_ += lived.count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
 
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
                          std::vector<std::unique_ptr<Law>>& laws,
@@ -107,6 +128,7 @@ void StepProblem::project_guess() {
 }
 
 double StepProblem::potential() {
+  const Stopwatch watch(times_.assembly);
   const Step& step = *start_.step;
   double value = 0.0;
   for (std::size_t i = 0; i < mass_.size(); ++i)
@@ -121,36 +143,56 @@ double StepProblem::potential() {
 }
 
 double StepProblem::assemble(bool definite) {
-  const Step& step = *start_.step;
+  const Stopwatch watch(times_.assembly);
   if (matrix_.pattern != &pattern_) {
     matrix_.reset(pattern_);
   } else {
     matrix_.set_zero();
   }
+  return sum_up({&gradient_, &matrix_, definite});
+}
+
+double StepProblem::evaluate() {
+  const Stopwatch watch(times_.assembly);
+  return sum_up({&gradient_, nullptr, false});
+}
+
+// Potential and gradient, and the Hessian where `out` has one, which is zero on entry.
+double StepProblem::sum_up(Assembly out) {
+  const Step& step = *start_.step;
   std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
-  Assembly out{&gradient_, &matrix_, definite};
-  for (const auto& law : *laws_) law->assemble(step, y_, out);
+  double value = 0.0, inertial = 0.0;
+  for (const auto& law : *laws_) value += law->assemble(step, y_, out);
   double largest = 0.0;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const Vec3 inertia = step.inertia * mass_[i] * (y_[i] - start_.predicted[i]);
+    const Vec3 off = y_[i] - start_.predicted[i];
+    const Vec3 inertia = step.inertia * mass_[i] * off;
+    inertial += mass_[i] * off.squaredNorm();
     largest = std::max({largest, gradient_[i].squaredNorm(), inertia.squaredNorm()});
     gradient_[i] += inertia;
-    matrix_.diagonal[i].diagonal().array() += step.inertia * mass_[i];
+    if (out.hessian) matrix_.diagonal[i].diagonal().array() += step.inertia * mass_[i];
   }
   largest_force_ = std::sqrt(largest);
-  for (std::size_t b = 0; b < b_.size(); ++b) body_gradient_[b] = body_mass_[b] * b_[b];
+  value += 0.5 * step.inertia * inertial;
+  for (std::size_t b = 0; b < b_.size(); ++b) {
+    body_gradient_[b] = body_mass_[b] * b_[b];
+    value += 0.5 * b_[b].dot(body_gradient_[b]);
+  }
   for (const Constraint& c : constraints_) {
     if (c.limit <= 0.0) continue;
     const Vec3 u = slip(c);
     const double size = std::hypot(u.norm(), c.smoothing);
     const Vec3 force = -c.limit / size * u;
+    value += c.limit / step.reach * size;
     gradient_[c.node] -= force;
     // The body's share of the second derivatives is left out: it is heavy against one node.
-    matrix_.diagonal[c.node] += (c.limit * step.reach / size) *
-                                (Mat3::Identity() - c.blocked - u * u.transpose() / (size * size));
+    if (out.hessian)
+      matrix_.diagonal[c.node] +=
+          (c.limit * step.reach / size) *
+          (Mat3::Identity() - c.blocked - u * u.transpose() / (size * size));
     if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * force;
   }
-  return potential();
+  return value;
 }
 
 // Displacement of a sliding node along the surface, relative to the body, over the step, m.
@@ -253,52 +295,48 @@ void StepProblem::filter_matrix() {
 }
 
 bool StepProblem::find_direction() {
-  base_y_ = y_;
-  base_b_ = b_;
-  build_borders();
-  const std::vector<Vec6> body_gradient = reduced_body_gradient();
-  filter_matrix();
-  if (!solver_->factor(matrix_)) return false;
-  for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
-  for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
-  // A body that nothing touches any more goes back to its free motion.
-  for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
-  if (touching_.empty()) {
-    solver_->solve(dy_);
-  } else {
-    solve_bordered(body_gradient);
-  }
-  for (const Constraint& c : constraints_) {
-    dy_[c.node] -= c.blocked * dy_[c.node];
-    if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
-  }
+  if (!factorise()) return false;
+  solve_for_direction();
   return dy_.empty() ||
          std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
 
-// A dy + B db = r for the net with its right-hand side r in dy, and B^T dy + D db = -g_b for the
-// bodies.
-void StepProblem::solve_bordered(const std::vector<Vec6>& body_gradient) {
-  solve_columns();
-  reduce_to_bodies(body_gradient);
-  const std::size_t n = dy_.size();
-  const Eigen::Index size = schur_rhs_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    Vec3 d = columns_[i];
-    for (Eigen::Index m = 0; m < size; ++m) {
-      d -= schur_rhs_(m) * columns_[(static_cast<std::size_t>(m) + 1) * n + i];
-    }
-    dy_[i] = d;
+bool StepProblem::factorise() {
+  const Stopwatch watch(times_.factor);
+  build_borders();
+  filter_matrix();
+  if (!solver_->factor(matrix_)) return false;
+  if (!touching_.empty()) {
+    solve_border_columns();
+    build_schur();
+  }
+  return true;
+}
+
+void StepProblem::reuse_direction() { solve_for_direction(); }
+
+// The direction for the present gradient with the present factorisation and borders.
+void StepProblem::solve_for_direction() {
+  const Stopwatch watch(times_.solve);
+  base_y_ = y_;
+  base_b_ = b_;
+  for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
+  for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
+  // A body that nothing touches any more goes back to its free motion.
+  for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
+  solver_->solve(dy_);
+  if (!touching_.empty()) solve_bordered();
+  for (const Constraint& c : constraints_) {
+    dy_[c.node] -= c.blocked * dy_[c.node];
+    if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
   }
 }
 
-// A^-1 r and A^-1 B, one column after the other.
-void StepProblem::solve_columns() {
+// A^-1 B, one column after the other.
+void StepProblem::solve_border_columns() {
   const std::size_t n = dy_.size();
-  columns_.resize((1 + 6 * touching_.size()) * n);
-  std::copy(dy_.begin(), dy_.end(), columns_.begin());
-  std::fill(columns_.begin() + static_cast<std::ptrdiff_t>(n), columns_.end(), Vec3::Zero());
-  Vec3* first = columns_.data() + n;
+  columns_.assign(6 * touching_.size() * n, Vec3::Zero());
+  Vec3* first = columns_.data();
   for (const Index body : touching_) {
     const Border& border = borders_[body];
     for (int k = 0; k < 6; ++k, first += n) {
@@ -310,37 +348,53 @@ void StepProblem::solve_columns() {
   solver_->solve(columns_);
 }
 
-// Schur complement of the bodies: (D - B^T A^-1 B) db = -g_b - B^T A^-1 r. The solution replaces
-// the right-hand side.
-void StepProblem::reduce_to_bodies(const std::vector<Vec6>& body_gradient) {
+// B^T x for the columns of one touching body.
+Vec6 StepProblem::border_times(std::size_t body, const Vec3* x) const {
+  const Border& border = borders_[touching_[body]];
+  Vec6 sum = Vec6::Zero();
+  for (std::size_t t = 0; t < border.nodes.size(); ++t) {
+    sum.noalias() += border.rows[t] * x[border.nodes[t]];
+  }
+  return sum;
+}
+
+// The bodies' Schur complement D - B^T A^-1 B, factorised.
+void StepProblem::build_schur() {
   const std::size_t n = dy_.size(), count = touching_.size();
   const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
   schur_.resize(size, size);
-  schur_rhs_.resize(size);
   for (std::size_t p = 0; p < count; ++p) {
-    const Border& border = borders_[touching_[p]];
     const Eigen::Index row = static_cast<Eigen::Index>(6 * p);
-    const auto dot = [&](std::size_t column) {
-      const Vec3* const x = columns_.data() + column * n;
-      Vec6 sum = Vec6::Zero();
-      for (std::size_t t = 0; t < border.nodes.size(); ++t) {
-        sum.noalias() += border.rows[t] * x[border.nodes[t]];
-      }
-      return sum;
-    };
-    schur_rhs_.segment<6>(row) = -body_gradient[touching_[p]] - dot(0);
     for (std::size_t q = 0; q < count; ++q) {
       for (int l = 0; l < 6; ++l) {
         const std::size_t column = 6 * q + static_cast<std::size_t>(l);
         schur_.block<6, 1>(row, static_cast<Eigen::Index>(column)) =
-            border_diagonal_[p * count + q].col(l) - dot(1 + column);
+            border_diagonal_[p * count + q].col(l) - border_times(p, columns_.data() + column * n);
       }
     }
   }
   schur_factor_.compute(0.5 * (schur_ + schur_.transpose()));
+}
+
+// A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with A^-1 r in dy on entry.
+void StepProblem::solve_bordered() {
+  const std::size_t n = dy_.size();
+  const std::vector<Vec6> body_gradient = reduced_body_gradient();
+  schur_rhs_.resize(static_cast<Eigen::Index>(6 * touching_.size()));
+  for (std::size_t p = 0; p < touching_.size(); ++p) {
+    schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p)) =
+        -body_gradient[touching_[p]] - border_times(p, dy_.data());
+  }
   schur_factor_.solveInPlace(schur_rhs_);
-  for (std::size_t p = 0; p < count; ++p) {
+  for (std::size_t p = 0; p < touching_.size(); ++p) {
     db_[touching_[p]] = schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec3 d = dy_[i];
+    for (Eigen::Index m = 0; m < schur_rhs_.size(); ++m) {
+      d -= schur_rhs_(m) * columns_[static_cast<std::size_t>(m) * n + i];
+    }
+    dy_[i] = d;
   }
 }
 

@@ -21,6 +21,13 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Mat63 = Eigen::Matrix<double, 6, 3>;
 
+// Wall time spent in parts of the work since the start, s.
+struct WorkTimes {
+  double assembly = 0.0;  // potential, gradient and Hessian
+  double factor = 0.0;    // borders and constraints included
+  double solve = 0.0;
+};
+
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
 // rotation vector b that contact adds to its free motion (both divided by the step's reach). The
 // potential is
@@ -51,8 +58,10 @@ class StepProblem final : public NewtonProblem {
   void begin(Start start);
 
   double assemble(bool definite) override;
+  double evaluate() override;
   double potential() override;
   bool find_direction() override;
+  void reuse_direction() override;
   double slope() const override;
   void move(double fraction) override;
   double direction_size() const override;
@@ -71,6 +80,7 @@ class StepProblem final : public NewtonProblem {
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
+  const WorkTimes& work_times() const { return times_; }
 
  private:
   // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes
@@ -84,15 +94,19 @@ class StepProblem final : public NewtonProblem {
     void clear();
   };
 
+  double sum_up(Assembly out);
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
   void build_borders();
   void build_border_diagonal();
   void filter_matrix();
-  void solve_bordered(const std::vector<Vec6>& body_gradient);
-  void solve_columns();
-  void reduce_to_bodies(const std::vector<Vec6>& body_gradient);
+  bool factorise();
+  void solve_for_direction();
+  void solve_bordered();
+  void solve_border_columns();
+  void build_schur();
+  Vec6 border_times(std::size_t body, const Vec3* x) const;
   std::vector<Vec6> reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
@@ -109,6 +123,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> neighbour_starts_;
   std::vector<Neighbour> neighbours_;
 
+  WorkTimes times_;
   Start start_;
   std::vector<Constraint> constraints_;  // ordered by node
   std::vector<Index> constraint_of_;     // of each node, or kNone
@@ -120,7 +135,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
-  std::vector<Vec3> columns_;          // right-hand sides of net and borders, then solutions
+  std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, one column after the other
   Eigen::MatrixXd schur_;
   Eigen::VectorXd schur_rhs_;
   Eigen::LDLT<Eigen::MatrixXd> schur_factor_;

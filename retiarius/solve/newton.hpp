@@ -14,12 +14,18 @@ class NewtonProblem {
   // definite: every element's block projected to be positive semidefinite.
   virtual double assemble(bool definite) = 0;
 
+  // The same without the Hessian; what was factorised last stays.
+  virtual double evaluate() = 0;
+
   // Only the potential at the present iterate.
   virtual double potential() = 0;
 
-  // Computes the Newton direction from what was assembled; false where the matrix is not positive
-  // definite.
+  // Factorises the Hessian as assembled and computes the Newton direction; false where the matrix
+  // is not positive definite.
   virtual bool find_direction() = 0;
+
+  // Computes a direction from the present gradient with the matrix last factorised.
+  virtual void reuse_direction() = 0;
 
   // Gradient (as last assembled) times direction: the potential's slope, negative for descent.
   virtual double slope() const = 0;
@@ -50,15 +56,23 @@ struct NewtonSettings {
   double round_off_step = 0.0;
   double round_off_ratio = 100.0;
   int max_iterations = 50;
+  // Keep a factorisation while the steps it gives shrink fast enough (see minimise()).
+  bool reuse = true;
 };
 
 struct NewtonResult {
   bool converged = false;
-  int iterations = 0;   // linear solves
+  int iterations = 0;  // linear solves
+  int factorisations = 0;
   int projections = 0;  // times the Hessian had to be projected
   std::string failure;  // why it did not converge
 };
 
+// Close to the minimum the Hessian hardly changes, and a step with the last factorisation (the
+// chord method) costs an evaluation and a solve instead of a factorisation besides. The iteration
+// changes over to it where a Newton step is at most a tenth of the one before, and back where a
+// step with an old factorisation is more than three tenths of the one before, was shortened or does
+// not descend. The test of convergence is the same for both.
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings);
 
 }  // namespace retiarius

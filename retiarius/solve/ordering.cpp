@@ -1,6 +1,7 @@
 #include "retiarius/solve/ordering.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 
 #include <Eigen/OrderingMethods>
@@ -78,6 +79,10 @@ std::vector<Index> nested_dissection(const Graph& graph, int seed) {
   options[METIS_OPTION_NUMBERING] = 0;
   options[METIS_OPTION_UFACTOR] = 400;  // uneven halves, 1.4 : 1, where the separator is smaller
   std::vector<idx_t> permutation(part.vertices.size()), inverse(part.vertices.size());
+  // METIS draws from the C library's random numbers, which threads share: two orderings at once
+  // would disturb each other, and no result would repeat.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   const int status = METIS_NodeND(&count, part.starts.data(), part.neighbours.data(), nullptr,
                                   options, permutation.data(), inverse.data());
   if (status != METIS_OK) {

@@ -1,6 +1,8 @@
 // The face of every law of force.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -43,12 +45,16 @@ class Law {
   // the residual. Infinity where y is inadmissible.
   virtual double potential(const Step&, const std::vector<Vec3>& y) const = 0;
 
-  // Adds gradient and, where wanted, Hessian of the incremental potential.
-  virtual void assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
+  // Adds gradient and, where wanted, Hessian of the incremental potential; returns the potential.
+  virtual double assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
 
   // Adds what the step from its start through stage y to positions x1 exchanged.
   virtual void account(const Step&, const std::vector<Vec3>& /*y*/, const std::vector<Vec3>& /*x1*/,
                        Exchange&) const {}
 };
+
+// Puts a law of one's own in place of one that a simulation has made, for instance one that scales
+// or watches it. The law given must live as long as the one returned, which may own it.
+using LawWrapper = std::function<std::unique_ptr<Law>(std::unique_ptr<Law>)>;
 
 }  // namespace retiarius

@@ -56,6 +56,18 @@ TEST_P(BendingDerivatives, AgreeWithFiniteDifferences) {
   }
 }
 
+// 1 - cos(phi) is not what cancellation leaves of it: directions carry eps, the angle eps / phi.
+TEST(Bending, EnergyOfANearlyStraightJointIsPrecise) {
+  for (Bending kind : {Bending::bounded, Bending::tangent}) {
+    const Network net = one_joint(kind);
+    const double phi = 1e-6, lv = 0.5 * (0.8 + 1.1);
+    const std::vector<Vec3> x = {
+        {0, 0, 0}, {0.8, 0, 0}, {0.8 + 1.1 * std::cos(phi), 1.1 * std::sin(phi), 0}};
+    const double wanted = 0.5 * kEI / lv * phi * phi;
+    EXPECT_NEAR(BendingLaw(net).energy(x) / wanted, 1.0, 1e-9);
+  }
+}
+
 // Bounded: smooth at every angle; truncation (1e-3)^4 / 30 times high derivatives (5! of lengths
 // near 0.7) and round-off 1e-16 f / 1e-3 allow 1e-9; where the moment goes as sin(phi), near 0 and
 // 180 degrees, the gradient is small against the potential's curvature and the bound widens.
@@ -113,6 +125,16 @@ TEST(Bending, EnergyOfAJointIsThatOfItsCurvature) {
 }
 
 // A folded thread: the bounded energy is 1/2 (EI / lv) 4, the tangent one infinite.
+// EI phi^2 / 2 l_v to the rounding of the places, where 1 - cos(phi) is itself below rounding.
+TEST(Bending, EnergyOfTheSmallestTurnsIsNotLostInRounding) {
+  for (Bending kind : {Bending::bounded, Bending::tangent}) {
+    const Network net = one_joint(kind, 1.0, 1.0);
+    const double phi = 1e-9;
+    const std::vector<Vec3> y = {{-1, 0, 0}, {0, 0, 0}, {std::cos(phi), std::sin(phi), 0}};
+    EXPECT_NEAR(BendingLaw(net).energy(y) / (0.5 * kEI * phi * phi), 1.0, 1e-6);
+  }
+}
+
 TEST(Bending, FoldedThreads) {
   const Network net = one_joint(Bending::bounded, 1.0, 1.0);
   const std::vector<Vec3> folded{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "retiarius/base/build_info.hpp"
-#include "retiarius/solve/kernels.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "tests/program/subprocess.hpp"
 
 namespace retiarius {

@@ -1,4 +1,4 @@
-#include "retiarius/solve/kernels.hpp"
+#include "retiarius/base/instruction_set.hpp"
 
 #include <gmock/gmock.h>
 

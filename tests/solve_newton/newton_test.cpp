@@ -20,6 +20,8 @@ class Scalars : public NewtonProblem {
  public:
   Vector x, base, direction, gradient;
   Matrix hessian;
+  Eigen::LLT<Matrix> factor;
+  int factorisations = 0;
   std::function<double(const Vector&)> value;
   std::function<Vector(const Vector&)> slope_of;
   std::function<Matrix(const Vector&)> curvature;
@@ -38,14 +40,22 @@ class Scalars : public NewtonProblem {
     }
     return value(x);
   }
+  double evaluate() override {
+    gradient = slope_of(x);
+    return value(x);
+  }
   double potential() override { return value(x); }
   bool find_direction() override {
-    const Eigen::LLT<Matrix> factor(hessian);
+    factor.compute(hessian);
     if (factor.info() != Eigen::Success) return false;
+    ++factorisations;
+    reuse_direction();
+    return true;
+  }
+  void reuse_direction() override {
     residuals.push_back(gradient.norm());
     base = x;
     direction = factor.solve(-gradient);
-    return true;
   }
   double slope() const override { return gradient.dot(direction); }
   void move(double fraction) override { x = base + fraction * direction; }
@@ -82,9 +92,12 @@ NewtonSettings to(double tolerance) {
 
 TEST(Newton, ConvergesQuadratically) {
   Scalars p = smooth(1.0, 0.7);
-  const NewtonResult r = minimise(p, to(1e-10));
+  NewtonSettings settings = to(1e-10);
+  settings.reuse = false;
+  const NewtonResult r = minimise(p, settings);
   EXPECT_TRUE(r.converged) << r.failure;
   EXPECT_EQ(r.projections, 0);
+  EXPECT_EQ(r.factorisations, r.iterations);
   EXPECT_LE(r.iterations, 10);
   EXPECT_LT(p.gradient.norm(), 1e-12);
   // |r_{k+1}| <= C |r_k|^2 once near the minimum, with C of the size of the third derivatives.
@@ -95,6 +108,46 @@ TEST(Newton, ConvergesQuadratically) {
     ++checked;
   }
   EXPECT_GE(checked, 2);
+}
+
+// The minimum is the same, with fewer factorisations and a few more iterations.
+TEST(Newton, KeepsAFactorisationWhileItServes) {
+  Scalars fresh = smooth(1.0, 0.7);
+  NewtonSettings settings = to(1e-10);
+  settings.reuse = false;
+  const NewtonResult direct = minimise(fresh, settings);
+  Scalars kept = smooth(1.0, 0.7);
+  const NewtonResult r = minimise(kept, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_LT(r.factorisations, direct.factorisations);
+  EXPECT_EQ(kept.factorisations, r.factorisations);
+  EXPECT_LE(r.iterations, direct.iterations + 5);
+  EXPECT_LT((kept.x - fresh.x).norm(), 1e-11);
+}
+
+// A kink, as where a slack thread becomes taut: (x + 1)^2 / 2 with another 1000 x^2 / 2 beyond 0,
+// and its mirror image in a second unknown coupled to the first.
+TEST(Newton, GivesUpAnOldFactorisationThatDoesNotServe) {
+  Scalars p = smooth(0, 0);
+  p.x << -3.0, 2.0;
+  p.value = [](const Vector& x) {
+    const double taut = std::max(0.0, x[0]), other = std::max(0.0, -x[1]);
+    return 0.5 * x.squaredNorm() + 500.0 * (taut * taut + other * other) - 2.0 * x[0] + x[1] +
+           0.25 * x[0] * x[1];
+  };
+  p.slope_of = [](const Vector& x) {
+    return Vector(Eigen::Vector2d(x[0] + 1000.0 * std::max(0.0, x[0]) - 2.0 + 0.25 * x[1],
+                                  x[1] - 1000.0 * std::max(0.0, -x[1]) + 1.0 + 0.25 * x[0]));
+  };
+  p.curvature = [](const Vector& x) {
+    Matrix m(2, 2);
+    m << (x[0] > 0 ? 1001.0 : 1.0), 0.25, 0.25, (x[1] < 0 ? 1001.0 : 1.0);
+    return m;
+  };
+  const NewtonResult r = minimise(p, to(1e-10));
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_LT(p.gradient.norm(), 1e-12);
+  EXPECT_LE(r.iterations, 20);
 }
 
 // (x^2 - 1)^2 from where it is concave.
