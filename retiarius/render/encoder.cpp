@@ -48,6 +48,7 @@ Encoder::Encoder(const std::vector<std::string>& command) : name_(command.at(0))
   posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
   std::vector<std::string> words = command;
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const int error = ::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ);
