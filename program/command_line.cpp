@@ -54,6 +54,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_info_command(app);
   add_export_command(app);
   add_report_command(app);
+  add_render_command(app);
+  add_view_command(app);
   add_converge_command(app, code);
   add_verify_command(app, code);
   add_bench_command(app);

@@ -14,6 +14,8 @@ void add_validate_command(CLI::App& app);
 void add_new_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_view_command(CLI::App& app);
+void add_render_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_docs_command(CLI::App& app);
 void add_bench_command(CLI::App& app);

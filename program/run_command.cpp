@@ -8,6 +8,7 @@
 #include "program/commands.hpp"
 #include "program/console.hpp"
 #include "program/interruption.hpp"
+#include "program/live_server.hpp"
 #include "program/outcome.hpp"
 #include "program/output_guard.hpp"
 #include "program/progress.hpp"
@@ -31,7 +32,8 @@ struct RunArguments {
   MissionArguments mission;
   ComputingArguments computing;
   std::string out, start;
-  bool quiet = false;
+  bool quiet = false, live = false;
+  ServerArguments server;
 };
 
 fs::path output_folder(const RunArguments& arguments) {
@@ -72,6 +74,15 @@ void tell_outcome(const RunArguments& arguments, const Mission& mission, const R
   print(fmt::format("\nreport: {}\n", (out / "report.html").string()));
 }
 
+std::unique_ptr<LiveServer> start_server(const RunArguments& arguments, const Mission& mission,
+                                         const fs::path& out) {
+  if (!arguments.live) return {};
+  auto server = std::make_unique<LiveServer>(out, mission.title, arguments.server);
+  print(fmt::format("live: {}\n", server->address()));
+  flush_output();
+  return server;
+}
+
 ExitCode run(const RunArguments& arguments) {
   make_write_failures_errors();
   arguments.computing.apply();
@@ -84,11 +95,14 @@ ExitCode run(const RunArguments& arguments) {
   const MissionModel model(mission);
   check_run(mission, model, options);
 
+  const std::unique_ptr<LiveServer> server = start_server(arguments, mission, out);
+
   // Up to here nothing was written; from here on the run has begun.
   guard.keep();
   const std::unique_ptr<Observer> observers = make_observers(arguments, mission, out);
   const RunReport report = run_mission(mission, model, *observers, options);
   tell_outcome(arguments, mission, report, out);
+  if (server) server->let_watchers_finish();
   return exit_code(report.outcome);
 }
 
@@ -108,6 +122,9 @@ void add_run_command(CLI::App& app, ExitCode& code) {
       ->type_name("DIR_OR_FILE");
   arguments->computing.add_to(*command);
   command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings and errors");
+  command->add_flag("--live", arguments->live,
+                    "Show the run in a browser while it goes on, at the address that is printed");
+  arguments->server.add_to(*command, "--live");
   command->footer(
       "Exit codes: 0 finished; 1 the run failed or a thread broke; 2 wrong usage or input;\n"
       "4 interrupted by SIGINT, SIGTERM or SIGUSR1, with what was computed on disk.");

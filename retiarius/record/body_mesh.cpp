@@ -1,6 +1,7 @@
 #include "retiarius/record/body_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace retiarius {
@@ -26,6 +27,11 @@ TriangleMesh drawn_mesh(const Body& body, const Network& network) {
   square.vertices = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   return square;
+}
+
+double steel_ball_radius(double mass) {
+  constexpr double kSteel = 7850.0;  // kg/m3
+  return std::cbrt(3.0 * mass / (4.0 * kPi * kSteel));
 }
 
 std::string file_name_of(const std::string& name) {

@@ -17,9 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A corner mass is drawn as a ball of steel.
-constexpr double kBulletDensity = 7850.0;  // kg/m3
-
 double net_size(const Network& net) {
   if (net.design.empty()) return 1.0;
   Vec3 low = net.design[0], high = low;
@@ -119,9 +116,7 @@ Json bullets(const Network& net) {
   Json list = Json::array();
   for (Index node : net.bullets) {
     const double mass = net.mass[static_cast<std::size_t>(node)];
-    list.push_back({{"node", node},
-                    {"mass", mass},
-                    {"radius", std::cbrt(3.0 * mass / (4.0 * kPi * kBulletDensity))}});
+    list.push_back({{"node", node}, {"mass", mass}, {"radius", steel_ball_radius(mass)}});
   }
   return list;
 }

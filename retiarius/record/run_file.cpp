@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/record/body_mesh.hpp"
 #include "retiarius/record/h5.hpp"
 #include "retiarius/record/history_csv.hpp"
 #include "retiarius/record/run_h5.hpp"
@@ -141,6 +142,33 @@ std::vector<Index> RunFile::perimeter() const {
   return impl_->guarded([&] { return read_all<Index>(impl_->id(), "net/perimeter"); });
 }
 
+std::vector<Index> RunFile::bullets() const {
+  return impl_->guarded([&] {
+    if (!h5::exists(impl_->id(), "net/bullets")) return std::vector<Index>();
+    return read_all<Index>(impl_->id(), "net/bullets");
+  });
+}
+
+std::vector<double> RunFile::mass() const {
+  return impl_->guarded([&] { return read_all<double>(impl_->id(), "net/mass"); });
+}
+
+std::vector<Ball> RunFile::balls() const {
+  std::vector<Index> nodes = bullets();
+  if (nodes.empty()) nodes = corners();
+  const std::vector<double> masses = mass();
+  std::vector<double> sorted = masses;
+  if (sorted.empty()) return {};
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<Ball> balls;
+  for (Index node : nodes) {
+    const double m = masses.at(static_cast<std::size_t>(node));
+    if (m > 2.0 * *middle) balls.push_back({node, steel_ball_radius(m)});
+  }
+  return balls;
+}
+
 std::vector<BodyDrawing> RunFile::bodies() const {
   return impl_->guarded([&] {
     std::vector<BodyDrawing> bodies;
@@ -180,6 +208,20 @@ std::vector<double> RunFile::history(const std::string& name) const {
 
 std::size_t RunFile::frame_count() const { return impl_->frames(); }
 
+std::vector<double> RunFile::frame_times() const {
+  return impl_->guarded([&] {
+    const h5::Handle set = h5::open_dataset(impl_->id(), "frames/time");
+    return h5::read_rows<double>(set.id(), 0, impl_->frames());
+  });
+}
+
+std::vector<Index> RunFile::frame_phases() const {
+  return impl_->guarded([&] {
+    const h5::Handle set = h5::open_dataset(impl_->id(), "frames/phase");
+    return h5::read_rows<Index>(set.id(), 0, impl_->frames());
+  });
+}
+
 FrameData RunFile::frame(std::size_t number) const {
   return impl_->guarded([&] {
     if (number >= impl_->frames())
@@ -193,6 +235,8 @@ FrameData RunFile::frame(std::size_t number) const {
     frame.tension = impl_->frame_part<double>("tension", number);
     frame.strain = impl_->frame_part<double>("strain", number);
     frame.curvature = impl_->frame_part<double>("curvature", number);
+    if (h5::exists(impl_->id(), "frames/contact"))
+      frame.contact = impl_->frame_part<Index>("contact", number);
     if (!h5::exists(impl_->id(), "frames/body_position")) return frame;
     const auto position = vectors(impl_->frame_part<double>("body_position", number));
     const auto velocity = vectors(impl_->frame_part<double>("body_velocity", number));

@@ -80,6 +80,8 @@ void write_net(hid_t file, const Network& net) {
            "index of each segment's thread, -1 for none");
   describe(h5::write_array(id, "corners", {net.corners.size()}, net.corners).id(), "1",
            "nodes of the mouth's polygon in order");
+  describe(h5::write_array(id, "bullets", {net.bullets.size()}, net.bullets).id(), "1",
+           "nodes of the corner masses");
   describe(h5::write_array(id, "perimeter", {net.perimeter.size()}, net.perimeter).id(), "1",
            "nodes of the outline in order");
 }
@@ -145,6 +147,7 @@ class RunH5::File {
     add("tension", frame.tension);
     add("strain", frame.strain);
     add("curvature", frame.curvature);
+    frames_.at("contact").append(contact_of_nodes(s).data(), 1, h5::native_type<Index>());
     if (s.bodies.size() != bodies_)
       throw Error(fmt::format("a frame has {} bodies of {}", s.bodies.size(), bodies_));
     if (bodies_ > 0) add_bodies(s.bodies);
@@ -208,6 +211,8 @@ class RunH5::File {
     create("tension", number, {segments}, "N", "of each segment, viscous part included");
     create("strain", number, {segments}, "1", "axial strain of each segment");
     create("curvature", number, {nodes}, "1/m", "largest of the joints at each node");
+    create("contact", h5::native_type<Index>(), {nodes}, "1",
+           "of each node: 0 free, 1 slides along a body, 2 sticks to one");
     if (bodies_ == 0) return;
     create("body_position", number, {bodies, 3}, "m", "of each body's mass centre");
     create("body_attitude", number, {bodies, 4}, "1",

@@ -62,9 +62,17 @@ std::vector<BodyDrawing> body_drawings(const RunModel& model) {
   return drawings;
 }
 
+std::vector<Index> contact_of_nodes(const State& state) {
+  std::vector<Index> contact(state.x.size(), 0);
+  for (const Touch& touch : state.touches)
+    contact.at(static_cast<std::size_t>(touch.node)) = touch.sticks ? 2 : 1;
+  return contact;
+}
+
 FrameData frame_data(const Frame& frame) {
   const State& s = *frame.state;
-  return {s.time, frame.phase, s.x, s.v, frame.tension, frame.strain, frame.curvature, s.bodies};
+  return {s.time,   frame.phase,        s.x, s.v, frame.tension, frame.strain, frame.curvature,
+          s.bodies, contact_of_nodes(s)};
 }
 
 VtkSeries::VtkSeries(std::filesystem::path folder, NetDrawing net, std::vector<BodyDrawing> bodies)

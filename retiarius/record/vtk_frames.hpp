@@ -31,6 +31,7 @@ struct FrameData {
   std::vector<Vec3> x, v;
   std::vector<double> tension, strain, curvature;
   std::vector<BodyState> bodies;
+  std::vector<Index> contact;  // of each node: 0 free, 1 slides, 2 sticks; empty: not recorded
 };
 
 // Writes frames one by one below a folder: frames/frame_000000.vtp, frames/body_NAME_000000.vtp,
@@ -70,6 +71,9 @@ class VtkFrames : public Observer {
 
 // The bodies of a run as they are drawn.
 std::vector<BodyDrawing> body_drawings(const RunModel& model);
+
+// Of each node: 0 free, 1 slides along a body, 2 sticks to one.
+std::vector<Index> contact_of_nodes(const State& state);
 
 // A frame's data copied, to be kept beyond the call.
 FrameData frame_data(const Frame& frame);

@@ -64,6 +64,11 @@ TEST(RunH5, HoldsHistoryAndFramesAsTheyWere) {
   EXPECT_EQ(file.net().segments.size(), 40u);
   EXPECT_EQ(file.net().radius[0], 0.002f);
   EXPECT_EQ(file.corners(), run.network.corners);
+  EXPECT_EQ(file.bullets(), run.network.bullets);
+  EXPECT_EQ(file.mass(), run.network.mass);
+  EXPECT_EQ(frame.contact, contact_of_nodes(state));
+  EXPECT_EQ(frame.contact[3], 2);
+  EXPECT_EQ(frame.contact[4], 0);
   EXPECT_EQ(file.bodies().at(0).name, "target");
   EXPECT_EQ(file.bodies().at(0).mesh.triangles, run.bodies[0].shape->triangles().triangles);
 }
