@@ -8,8 +8,8 @@ namespace {
 
 using Row = HistoryRow;
 
-double distance_or_nan(const Row& r) {
-  return r.smallest_distance.value_or(std::numeric_limits<double>::quiet_NaN());
+double or_nan(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -67,9 +67,12 @@ const std::vector<HistoryColumn>& history_columns() {
        [](const Row& r) { return static_cast<double>(r.contacts); }},
       {"smallest_distance", "m",
        "smallest distance from thread surface to body surface, negative inside; empty without body",
-       distance_or_nan},
+       [](const Row& r) { return or_nan(r.smallest_distance); }},
       {"newton_iterations", "1", "Newton iterations since the mission's start",
        [](const Row& r) { return static_cast<double>(r.newton_iterations); }},
+      {"captured_share", "1",
+       "share of the first target's surface inside the convex hull of the nodes; empty without one",
+       [](const Row& r) { return or_nan(r.captured_share); }},
   };
   return columns;
 }

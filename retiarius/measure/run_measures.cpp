@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "retiarius/measure/capture.hpp"
 #include "retiarius/measure/energy.hpp"
 #include "retiarius/measure/mouth.hpp"
 
@@ -145,6 +146,10 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
   r.contacts = static_cast<Index>(state.touches.size());
   r.smallest_distance = readings_.smallest_distance;
   r.newton_iterations = iterations_;
+  if (!bodies_->empty()) {
+    const auto capture = measure_capture(bodies_->front(), state.bodies.front(), state.x);
+    if (capture) r.captured_share = capture->share;
+  }
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;
 }

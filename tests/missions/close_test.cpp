@@ -14,6 +14,10 @@ TEST(Close, TheNetStaysShutAroundTheBall) {
   const Measures& m = run.report.measures;
   EXPECT_TRUE(flag(m, "closed"));
   EXPECT_TRUE(flag(m, "success")) << "captured_share " << number(m, "captured_share");
+  // The history tells how it came to be held.
+  ASSERT_TRUE(run.rows.front().captured_share);
+  EXPECT_EQ(*run.rows.front().captured_share, 0.0);
+  EXPECT_EQ(*run.rows.back().captured_share, number(m, "captured_share"));
   EXPECT_LT(number(m, "mouth_width_final"), 0.1 * number(m, "mouth_width_flat"));
   EXPECT_LT(number(m, "linear_momentum_drift"), 1e-9);
 
