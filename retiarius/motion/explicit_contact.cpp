@@ -20,6 +20,9 @@ constexpr double kMostShift = 0.1;
 // Cosine between normals of one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostPathSteps = 400;
+// Contacts take turns until none changes by this share of the largest.
+constexpr int kMostTurns = 50;
+constexpr double kTurnTolerance = 1e-10;
 
 }  // namespace
 
@@ -54,7 +57,7 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
       Contact c;
       c.node = node;
       c.body = body;
-      query(c, to_body(poses_[b], nodes_.layout->read(nodes_.x, node)));
+      query(c, inward(body, poses_[b], nodes_.layout->read(nodes_.x, node)));
       c.place = c.anchor = c.origin;
       c.gap = c.distance - radius_[i];
       if (c.gap > kNear * radius_[i]) continue;
@@ -158,10 +161,21 @@ void ExplicitContact::guard_all() {
   earliest_ = *std::min_element(until_.begin(), until_.end());
 }
 
+// A point in the axes in which contacts are kept: the body's, or the world's where it is fixed.
+Vec3 ExplicitContact::inward(Index body, const BodyState& pose, const Vec3& x) const {
+  return (*bodies_)[body].fixed ? x : to_body(pose, x);
+}
+
+Vec3 ExplicitContact::world_normal(const Contact& c) const {
+  return (*bodies_)[c.body].fixed ? c.normal : Vec3(poses_[c.body].attitude * c.normal);
+}
+
 void ExplicitContact::query(Contact& c, const Vec3& at) const {
-  const SurfacePoint p = (*bodies_)[c.body].shape->nearest(at);
+  const Body& body = (*bodies_)[c.body];
+  const BodyState& pose = poses_[c.body];
+  const SurfacePoint p = body.shape->nearest(body.fixed ? to_body(pose, at) : at);
   c.origin = at;
-  c.normal = p.normal;
+  c.normal = body.fixed ? Vec3(pose.attitude * p.normal) : p.normal;
   c.distance = p.distance;
 }
 
@@ -194,7 +208,7 @@ void ExplicitContact::look_for_entries() {
       if (active(node, body) || lower_gap(node, body) > (x - old).norm() + kFar * radius_[node])
         continue;
       Contact c;
-      const Vec3 from = to_body(old_poses_[b], old), to = to_body(poses_[b], x);
+      const Vec3 from = inward(body, old_poses_[b], old), to = inward(body, poses_[b], x);
       if (!enters(node, body, from, to, c) && c.distance > (1.0 + kNear) * radius_[node]) continue;
       c.place = c.anchor = from;
       add(c);
@@ -282,58 +296,94 @@ void ExplicitContact::book(const Contact& c, const Vec3& normal, const Vec3& imp
   account.outside_angular_impulse += nodes_.layout->read(nodes_.x, c.node).cross(impulse);
 }
 
-// Of the impulse that would undo the slip, what Coulomb's law allows.
-Vec3 ExplicitContact::stick_or_slide(Contact& c, double normal_impulse, const Vec3& wanted) {
-  const double limit = friction_ * normal_impulse;
-  const double size = wanted.norm();
-  c.sticks = friction_ > 0.0 && size <= limit;
-  if (c.sticks) return wanted;
-  return size > 0.0 ? Vec3(limit / size * wanted) : Vec3(Vec3::Zero());
+// One contact's turn: impulses so that its normal lack and its slip (m over the sub-step; m/s where
+// only velocities count) vanish, within what its sums may be: the normal one pushes, friction is
+// bounded. Returns the size of the change, N s.
+double ExplicitContact::solve(Contact& c, const Vec3& normal, double lack, bool moves) {
+  const SweepLayout& layout = *nodes_.layout;
+  const double time = moves ? h_ : 1.0;
+  Vec3 lever = layout.read(nodes_.x, c.node) - poses_[c.body].position;
+  const double size = std::max(-c.push, lack / time / inverse_mass(c, lever, normal));
+  if (size != 0.0) push(c, size * normal, moves);
+  c.push += size;
+  if (friction_ == 0.0 || c.push <= 0.0) return std::abs(size);
+  const Vec3 x = layout.read(nodes_.x, c.node);
+  Vec3 slip = relative_velocity(c);
+  if (moves) {
+    const Vec3 anchor = (*bodies_)[c.body].fixed ? c.anchor : to_world(poses_[c.body], c.anchor);
+    slip = x - anchor;
+  }
+  slip -= normal * normal.dot(slip);
+  const double way = slip.norm();
+  if (way == 0.0) return std::abs(size);
+  lever = x - poses_[c.body].position;
+  Vec3 wanted = c.drag - slip / (time * inverse_mass(c, lever, slip / way));
+  const double limit = friction_ * c.push, most = wanted.norm();
+  c.sticks = most <= limit;
+  if (!c.sticks) wanted *= limit / most;
+  const Vec3 change = wanted - c.drag;
+  push(c, change, moves);
+  c.drag = wanted;
+  return std::abs(size) + change.norm();
 }
 
-void ExplicitContact::resolve(Contact& c, Account& account, Given& given) {
-  const SweepLayout& layout = *nodes_.layout;
-  const auto here = [&] { return to_body(poses_[c.body], layout.read(nodes_.x, c.node)); };
-  const auto gap_at = [&](const Vec3& at) {
-    return c.distance + c.normal.dot(at - c.origin) - radius_[c.node];
-  };
-  Vec3 at = here();
-  look_again(c, at);
-  const Vec3 normal = poses_[c.body].attitude * c.normal;
-  const Vec3 before = c.fresh ? relative_velocity(c) : c.relative;
-  const double short_of = std::min(0.0, c.gap) - gap_at(at);
-  c.pushed = short_of > 0.0;
-  if (c.pushed) {
-    const Vec3 had = c.impulse;
-    Vec3 lever = layout.read(nodes_.x, c.node) - poses_[c.body].position;
-    const double size = short_of / h_ / inverse_mass(c, lever, normal);
-    push(c, size * normal, true);
-    if (friction_ > 0.0) {
-      const Vec3 x = layout.read(nodes_.x, c.node);
-      Vec3 slip = x - to_world(poses_[c.body], c.anchor);
-      slip -= normal * normal.dot(slip);
-      if (const double way = slip.norm(); way > 0.0) {
-        lever = x - poses_[c.body].position;
-        const double heavy = 1.0 / inverse_mass(c, lever, slip / way);
-        push(c, stick_or_slide(c, size, -heavy / h_ * slip), true);
-      } else {
-        c.sticks = true;
+double ExplicitContact::gap_at(const Contact& c, const Vec3& at) const {
+  return c.distance + c.normal.dot(at - c.origin) - radius_[c.node];
+}
+
+// All contacts in turn, again and again where bodies carry what one does to another.
+void ExplicitContact::solve_all(bool moves) {
+  const bool coupled = any_free_ || bodies_->size() > 1;
+  for (int k = 0; k < (coupled ? kMostTurns : 1); ++k) {
+    double change = 0.0, largest = 0.0;
+    for (Contact& c : contacts_) {
+      const Vec3 normal = world_normal(c);
+      double lack = -normal.dot(relative_velocity(c));
+      if (moves) {
+        const Vec3 x = nodes_.layout->read(nodes_.x, c.node);
+        lack = std::min(0.0, c.gap) - gap_at(c, inward(c.body, poses_[c.body], x));
+      } else if (!c.pushed) {
+        continue;
       }
+      if (lack <= 0.0 && c.push == 0.0) continue;
+      change = std::max(change, solve(c, normal, lack, moves));
+      largest = std::max(largest, c.push);
     }
-    const Vec3 impulse = c.impulse - had;
+    if (change <= kTurnTolerance * largest) break;
+  }
+}
+
+// Looks at the surface again where that is due, and forgets the impulses of the last sub-step.
+void ExplicitContact::meet(Contact& c) {
+  look_again(c, inward(c.body, poses_[c.body], nodes_.layout->read(nodes_.x, c.node)));
+  if (c.fresh) c.relative = relative_velocity(c);
+  c.push = 0.0;
+  c.drag = Vec3::Zero();
+  c.sticks = friction_ > 0.0;
+}
+
+// Books what a contact gave, and keeps what the next sub-step needs.
+void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
+  const SweepLayout& layout = *nodes_.layout;
+  c.pushed = c.push > 0.0;
+  if (c.pushed) {
+    const Vec3 normal = world_normal(c);
+    const Vec3 impulse = c.push * normal + c.drag;
     given.impulse += impulse;
-    book(c, normal, impulse, before, account);
-    at = here();
+    book(c, normal, impulse, c.relative, account);
   } else {
     c.sticks = false;
   }
-  c.gap = gap_at(at);
+  Vec3 x = layout.read(nodes_.x, c.node);
+  Vec3 at = inward(c.body, poses_[c.body], x);
+  c.gap = gap_at(c, at);
   if (c.gap < 0.0) {  // depth is undone without velocity, lest it become energy
-    const Vec3 shift = std::min(-c.gap, kMostShift * radius_[c.node]) * normal;
-    layout.write(nodes_.x, c.node, layout.read(nodes_.x, c.node) + shift);
+    const Vec3 shift = std::min(-c.gap, kMostShift * radius_[c.node]) * world_normal(c);
+    x += shift;
+    layout.write(nodes_.x, c.node, x);
     given.shift += (*nodes_.mass)[c.node] * shift;
-    at = here();
-    c.gap = gap_at(at);
+    at = inward(c.body, poses_[c.body], x);
+    c.gap = gap_at(c, at);
   }
   c.place = at;
   if (!c.sticks) c.anchor = at;
@@ -363,7 +413,9 @@ ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, A
   Given given;
   move_bodies(gravity, kick);
   look_for_entries();
-  for (Contact& c : contacts_) resolve(c, account, given);
+  for (Contact& c : contacts_) meet(c);
+  solve_all(true);
+  for (Contact& c : contacts_) leave(c, account, given);
   for (std::size_t b = 0; b < free_.size(); ++b)
     if (free_[b].touched) refresh(static_cast<Index>(b));
   drop_far();
@@ -374,23 +426,13 @@ void ExplicitContact::finish(const Vec3& gravity, double kick, Account& account)
   for (std::size_t b = 0; b < free_.size(); ++b)
     if (!(*bodies_)[b].fixed) poses_[b].velocity += kick * gravity;
   for (Contact& c : contacts_) {
-    if (!c.pushed) continue;
-    const Vec3 normal = poses_[c.body].attitude * c.normal;
-    const Vec3 lever = nodes_.layout->read(nodes_.x, c.node) - poses_[c.body].position;
-    Vec3 relative = relative_velocity(c);
-    const double size = -normal.dot(relative) / inverse_mass(c, lever, normal);
-    if (size <= 0.0) continue;
-    const Vec3 had = c.impulse;
-    push(c, size * normal, false);
-    if (friction_ > 0.0) {
-      relative = relative_velocity(c);
-      const Vec3 slip = relative - normal * normal.dot(relative);
-      if (const double speed = slip.norm(); speed > 0.0) {
-        const double heavy = 1.0 / inverse_mass(c, lever, slip / speed);
-        push(c, stick_or_slide(c, size, -heavy * slip), false);
-      }
-    }
-    book(c, normal, c.impulse - had, c.relative, account);
+    c.push = 0.0;
+    c.drag = Vec3::Zero();
+  }
+  solve_all(false);
+  for (Contact& c : contacts_) {
+    const Vec3 normal = world_normal(c);
+    if (c.push > 0.0) book(c, normal, c.push * normal + c.drag, c.relative, account);
   }
 }
 

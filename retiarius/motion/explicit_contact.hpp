@@ -56,7 +56,7 @@ class ExplicitContact {
  private:
   struct Contact {
     Index node = kNone, body = kNone;
-    // The query that stands for the surface; body axes.
+    // The query that stands for the surface; in body axes, of a fixed body in world axes.
     Vec3 origin = Vec3::Zero(), normal = Vec3::UnitZ();
     double distance = 0.0;
     Vec3 place = Vec3::Zero();     // of the node at the end of the last sub-step, body axes
@@ -65,6 +65,8 @@ class ExplicitContact {
     Vec3 relative = Vec3::Zero();  // velocity then
     bool fresh = true;             // `relative` is not known yet
     bool sticks = false, pushed = false;
+    double push = 0.0;            // along the normal in this sub-step, N s
+    Vec3 drag = Vec3::Zero();     // friction's impulse in this sub-step, N s
     Vec3 impulse = Vec3::Zero();  // on the node since begin()
   };
   struct Free {                           // what a free body has beside its state
@@ -85,8 +87,13 @@ class ExplicitContact {
   void drop_far();
   void query(Contact& c, const Vec3& at) const;
   void look_again(Contact& c, const Vec3& at) const;
-  void resolve(Contact& c, Account& account, Given& given);
-  Vec3 stick_or_slide(Contact& c, double normal_impulse, const Vec3& wanted_slip_impulse);
+  void meet(Contact& c);
+  void solve_all(bool moves);
+  double solve(Contact& c, const Vec3& normal, double lack, bool moves);
+  void leave(Contact& c, Account& account, Given& given);
+  double gap_at(const Contact& c, const Vec3& at) const;
+  Vec3 inward(Index body, const BodyState& pose, const Vec3& x) const;
+  Vec3 world_normal(const Contact& c) const;
   double inverse_mass(const Contact& c, const Vec3& lever, const Vec3& direction) const;
   void push(Contact& c, const Vec3& impulse, bool moves);
   Vec3 relative_velocity(const Contact& c) const;

@@ -188,7 +188,8 @@ void ExplicitStepper::run(const Job& job, const std::vector<BodyState>& free, St
     if (needs_old) std::copy_n(v_.data(), old_v_.size(), old_v_.data());
     const double loss = table.sweep(layout_->groups().data(),
                                     static_cast<long>(layout_->groups().size()), sweep_, last);
-    account.material_loss += kick / h * loss;
+    // The first evaluation follows none: its loss is of the step before.
+    if (n > 0) account.material_loss += loss;
     table.move_shared(layout_->runs().data(), static_cast<long>(layout_->runs().size()), sweep_);
     const Vec3 weight = kick * job.gravity;
     account.outside_impulse += total_mass_ * weight;

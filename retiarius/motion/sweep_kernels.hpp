@@ -18,6 +18,7 @@ struct SweepGroup {
   const double* stiffness;  // k = EA / l0, N/m; 0 where the lane has no such segment
   double* last;             // elongation at the last evaluation, taut part where tension-only, m
   double* before;           // at the one before that
+  double* drag;             // viscous tension at the last evaluation, N
   double* tension;          // 8 for each segment row, N, where recorded
   double viscosity;         // tau / h
   bool bilateral;
@@ -46,8 +47,8 @@ struct SweepState {
 };
 
 struct SweepTable {
-  // Forces of all groups, and the motion of the nodes that lie in rows. Returns the sum of viscous
-  // tension times viscous elongation of all segments, N m. `record`: writes tensions.
+  // Forces of all groups, and the motion of the nodes that lie in rows. Returns the work of viscous
+  // tension since the last evaluation, by the trapezoidal rule, J. `record`: writes tensions.
   double (*sweep)(const SweepGroup* groups, long count, const SweepState& state, bool record);
   // The motion of the shared nodes, from the forces at the chains' ends.
   void (*move_shared)(const SweepRun* runs, long count, const SweepState& state);

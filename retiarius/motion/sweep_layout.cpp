@@ -178,6 +178,7 @@ void SweepLayout::make_groups() {
   stiffness_.assign(segments_.size(), 0.0);
   last_.assign(segments_.size(), 0.0);
   before_.assign(segments_.size(), 0.0);
+  drag_.assign(segments_.size(), 0.0);
   tension_.assign(segments_.size(), 0.0);
   for (std::size_t k = 0; k < segments_.size(); ++k)
     if (segments_[k] != kNone) rest_[k] = network_->segments[segments_[k]].rest_length;
@@ -193,6 +194,7 @@ void SweepLayout::make_groups() {
     g.stiffness = stiffness_.data() + b.segment;
     g.last = last_.data() + b.segment;
     g.before = before_.data() + b.segment;
+    g.drag = drag_.data() + b.segment;
     g.tension = tension_.data() + b.segment;
     g.bilateral = network_->materials[b.material].compression;
     groups_.push_back(g);

@@ -79,7 +79,7 @@ class SweepLayout {
   std::vector<Index> segments_;  // of each lane of each segment row, or kNone
   std::vector<Index> ends_of_;   // node of each lane of the shared rows, or kNone
   std::vector<Index> shared_nodes_;
-  std::vector<double> rest_, stiffness_, last_, before_, tension_;
+  std::vector<double> rest_, stiffness_, last_, before_, drag_, tension_;
   std::vector<double> inverse_shared_, inverse_rows_;
   mutable AlignedArray ends_;
   std::vector<int> incidences_;
