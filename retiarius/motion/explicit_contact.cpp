@@ -21,7 +21,7 @@ constexpr double kMostShift = 0.1;
 constexpr double kSameSide = 0.5;
 constexpr int kMostPathSteps = 400;
 // Contacts take turns until none changes by this share of the largest.
-constexpr int kMostTurns = 50;
+constexpr int kMostTurns = 400;
 constexpr double kTurnTolerance = 1e-10;
 
 }  // namespace

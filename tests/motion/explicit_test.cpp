@@ -60,7 +60,12 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 TEST(ExplicitSweep, MovesAsTheLawsDo) {
   for (const bool compression : {true, false}) {
     for (const double tau : {0.0, 1e-4}) {
-      const Network net = flying_net(compression, tau, 0.0);
+      Network net = flying_net(compression, tau, 0.0);
+      // Taut beyond rounding, which would else decide where tension-only threads start.
+      for (Vec3& x : net.initial) x *= 1.01;
+      // A node stopped at once is no smooth motion.
+      for (const Index node : {3, 40, static_cast<int>(net.corners[0])})
+        net.velocity[node] = Vec3::Zero();
       const PrescribedMotion motion = hold(net.initial, {3, 40, net.corners[0]});
       double apart[2];
       for (int k = 0; k < 2; ++k) {
