@@ -62,7 +62,11 @@ TEST(ExplicitSweep, MovesAsTheLawsDo) {
     for (const double tau : {0.0, 1e-4}) {
       Network net = flying_net(compression, tau, 0.0);
       // Taut beyond rounding, which would else decide where tension-only threads start.
-      for (Vec3& x : net.initial) x *= 1.01;
+      // The motion is smooth, since rough ones draw any two computations apart.
+      for (std::size_t i = 0; i < net.initial.size(); ++i) {
+        net.velocity[i] = Vec3(0.3, -0.2, 3) + Vec3(1, 2, 3).cross(net.initial[i]);
+        net.initial[i] *= 1.01;
+      }
       // A node stopped at once is no smooth motion.
       for (const Index node : {3, 40, static_cast<int>(net.corners[0])})
         net.velocity[node] = Vec3::Zero();
@@ -77,6 +81,7 @@ TEST(ExplicitSweep, MovesAsTheLawsDo) {
         }
         apart[k] = distance(fast.state().x, slow.state().x);
         EXPECT_GT(distance(fast.state().x, net.initial), 0.1);
+        if (k == 0) continue;
         const Account &a = fast.state().account, &b = slow.state().account;
         EXPECT_NEAR(a.environment_loss, b.environment_loss, 1e-4 * b.environment_loss);
         EXPECT_NEAR(a.material_loss, b.material_loss, 0.02 * b.material_loss);
