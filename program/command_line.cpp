@@ -53,7 +53,10 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_new_command(app);
   add_info_command(app);
   add_export_command(app);
+  add_report_command(app);
+  add_converge_command(app, code);
   add_verify_command(app, code);
+  add_bench_command(app);
   add_docs_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!command->get_group().empty()) command->group("Commands");

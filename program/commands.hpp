@@ -14,7 +14,10 @@ void add_validate_command(CLI::App& app);
 void add_new_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 void add_docs_command(CLI::App& app);
+void add_bench_command(CLI::App& app);
+void add_converge_command(CLI::App& app, ExitCode& code);
 void add_verify_command(CLI::App& app, ExitCode& code);
 
 }  // namespace retiarius::program

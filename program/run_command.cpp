@@ -16,6 +16,7 @@
 #include "retiarius/mission/run.hpp"
 #include "retiarius/mission/writer.hpp"
 #include "retiarius/record/checkpoint.hpp"
+#include "retiarius/record/file.hpp"
 #include "retiarius/record/output_folder.hpp"
 #include "retiarius/report/run_recorders.hpp"
 #include "retiarius/base/instruction_set.hpp"
@@ -54,6 +55,7 @@ std::unique_ptr<Observer> make_observers(const RunArguments& arguments, const Mi
                                          const fs::path& out) {
   RecordOptions options;
   options.resolved = to_toml(mission);
+  options.mission = read_whole_file(arguments.mission.file);
   options.build = build_info();
   options.build.kernels = kernel_name();
   std::unique_ptr<FanOut> observers = make_run_recorders(out, options);

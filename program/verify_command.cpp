@@ -1,24 +1,22 @@
 // retiarius verify: the verification cases, told as a table and written as JSON and a page.
+#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/console.hpp"
+#include "program/verification_results.hpp"
 #include "retiarius/base/parallel.hpp"
-#include "retiarius/record/file.hpp"
 #include "verification/framework/ladder.hpp"
-#include "verification/framework/results_json.hpp"
 #include "verification/framework/results_text.hpp"
 
 namespace retiarius::program {
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace verification;
 
 struct VerifyArguments {
@@ -27,12 +25,6 @@ struct VerifyArguments {
   ComputingArguments computing;
   bool list = false, quick = false;
 };
-
-void write_results(const std::vector<Rung>& rungs, const VerifyArguments& arguments) {
-  const fs::path out = arguments.out;
-  fs::create_directories(out);
-  write_atomically(out / "verification.json", results_json(rungs, arguments.quick));
-}
 
 ExitCode verify(const VerifyArguments& arguments) {
   const std::vector<const Case*> cases = chosen_cases(arguments.cases);
@@ -44,12 +36,15 @@ ExitCode verify(const VerifyArguments& arguments) {
   // The cases are small and many: each has one thread of its own.
   const int workers = threads();
   set_threads(1);
+  const auto start = std::chrono::steady_clock::now();
   const std::vector<Rung> rungs =
       climb(cases, arguments.quick, workers, [](const Rung& rung) { print(case_text(rung)); });
   print(verdict_text(rungs));
-  write_results(rungs, arguments);
-  print(fmt::format("\nreport: {}\n", (fs::path(arguments.out) / "verification.html").string()));
-  return passes(rungs) ? kOk : kFailed;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const ExitCode code = conclude(rungs, arguments.out, arguments.quick, wall.count());
+  print(fmt::format("\nreport: {}\n",
+                    (std::filesystem::path(arguments.out) / "verification.html").string()));
+  return code;
 }
 
 }  // namespace

@@ -3,7 +3,14 @@
 # nothing where all are there.
 set -euo pipefail
 here="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)"
-mapfile -t packages < <(grep -v '^$' "$here/packages.txt")
+# A line "PACKAGE unless COMMAND" names what may have come from elsewhere: it is installed only where
+# there is no such command.
+packages=()
+while read -r package unless command; do
+  [ -n "$package" ] || continue
+  [ "$unless" = unless ] && command -v "$command" >/dev/null && continue
+  packages+=("$package")
+done <"$here/packages.txt"
 
 fail() {
   printf 'install-packages: %s\n' "$@" >&2

@@ -84,6 +84,7 @@ class Simulation {
   double stretching_energy() const { return stretching_->energy(state_.x); }             // J
   double bending_energy() const { return bending_ ? bending_->energy(state_.x) : 0.0; }  // J
   const LinearSolver& solver() const { return problem_->solver(); }
+  const WorkTimes& work_times() const { return problem_->work_times(); }
 
  private:
   void add_law(std::unique_ptr<Law> law);

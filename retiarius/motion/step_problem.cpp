@@ -1,9 +1,30 @@
 #include "retiarius/motion/step_problem.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace retiarius {
+
+namespace {
+
+// Adds the time of its own life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() {
+    const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - start_;
+    sum_ += lived.count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
 
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
                          std::vector<std::unique_ptr<Law>>& laws,
@@ -107,6 +128,7 @@ void StepProblem::project_guess() {
 }
 
 double StepProblem::potential() {
+  const Stopwatch watch(times_.assembly);
   const Step& step = *start_.step;
   double value = 0.0;
   for (std::size_t i = 0; i < mass_.size(); ++i)
@@ -121,6 +143,7 @@ double StepProblem::potential() {
 }
 
 double StepProblem::assemble(bool definite) {
+  const Stopwatch watch(times_.assembly);
   if (matrix_.pattern != &pattern_) {
     matrix_.reset(pattern_);
   } else {
@@ -129,7 +152,10 @@ double StepProblem::assemble(bool definite) {
   return sum_up({&gradient_, &matrix_, definite});
 }
 
-double StepProblem::evaluate() { return sum_up({&gradient_, nullptr, false}); }
+double StepProblem::evaluate() {
+  const Stopwatch watch(times_.assembly);
+  return sum_up({&gradient_, nullptr, false});
+}
 
 // Potential and gradient, and the Hessian where `out` has one, which is zero on entry.
 double StepProblem::sum_up(Assembly out) {
@@ -269,6 +295,14 @@ void StepProblem::filter_matrix() {
 }
 
 bool StepProblem::find_direction() {
+  if (!factorise()) return false;
+  solve_for_direction();
+  return dy_.empty() ||
+         std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
+}
+
+bool StepProblem::factorise() {
+  const Stopwatch watch(times_.factor);
   build_borders();
   filter_matrix();
   if (!solver_->factor(matrix_)) return false;
@@ -276,15 +310,14 @@ bool StepProblem::find_direction() {
     solve_border_columns();
     build_schur();
   }
-  solve_for_direction();
-  return dy_.empty() ||
-         std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
+  return true;
 }
 
 void StepProblem::reuse_direction() { solve_for_direction(); }
 
 // The direction for the present gradient with the present factorisation and borders.
 void StepProblem::solve_for_direction() {
+  const Stopwatch watch(times_.solve);
   base_y_ = y_;
   base_b_ = b_;
   for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];

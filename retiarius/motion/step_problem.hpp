@@ -21,6 +21,13 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Mat63 = Eigen::Matrix<double, 6, 3>;
 
+// Wall time spent in parts of the work since the start, s.
+struct WorkTimes {
+  double assembly = 0.0;  // potential, gradient and Hessian
+  double factor = 0.0;    // borders and constraints included
+  double solve = 0.0;
+};
+
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
 // rotation vector b that contact adds to its free motion (both divided by the step's reach). The
 // potential is
@@ -73,6 +80,7 @@ class StepProblem final : public NewtonProblem {
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
+  const WorkTimes& work_times() const { return times_; }
 
  private:
   // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes
@@ -93,6 +101,7 @@ class StepProblem final : public NewtonProblem {
   void build_borders();
   void build_border_diagonal();
   void filter_matrix();
+  bool factorise();
   void solve_for_direction();
   void solve_bordered();
   void solve_border_columns();
@@ -114,6 +123,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> neighbour_starts_;
   std::vector<Neighbour> neighbours_;
 
+  WorkTimes times_;
   Start start_;
   std::vector<Constraint> constraints_;  // ordered by node
   std::vector<Index> constraint_of_;     // of each node, or kNone

@@ -6,6 +6,7 @@
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/history_csv.hpp"
 #include "retiarius/record/output_folder.hpp"
+#include "retiarius/record/replay_recorder.hpp"
 #include "retiarius/record/run_h5.hpp"
 #include "retiarius/record/summary_json.hpp"
 #include "retiarius/record/vtk_frames.hpp"
@@ -57,9 +58,11 @@ std::unique_ptr<FanOut> make_recorders(const std::filesystem::path& folder,
                                        const RecordOptions& options) {
   prepare_output_folder(folder, options.overwrite);
   write_atomically(folder / "resolved.toml", options.resolved);
+  if (!options.mission.empty()) write_atomically(folder / "mission.toml", options.mission);
   auto all = std::make_unique<FanOut>();
   all->add(std::make_unique<HistoryCsv>(folder));
   all->add(std::make_unique<RunH5>(folder, options.resolved, options.build.version));
+  all->add(std::make_unique<ReplayRecorder>(folder, options.build.version));
   if (options.vtk) all->add(std::make_unique<VtkFrames>(folder));
   all->add(std::make_unique<CheckpointFile>(folder));
   all->add(std::make_unique<SummaryJson>(folder, options.build));

@@ -41,13 +41,15 @@ class FanOut : public Observer {
 
 struct RecordOptions {
   std::string resolved;  // text of resolved.toml: the mission with every default filled in
+  std::string mission;   // text of mission.toml: the file as it was given; empty: not written
   BuildInfo build;
   bool overwrite = false;  // remove what an earlier run left in the folder
   bool vtk = true;         // write frames/ and frames.pvd
 };
 
-// Prepares the output folder, writes resolved.toml and makes the observers that write everything
-// else but report.html. Throws InputError (the folder cannot be used) and RunError.
+// Prepares the output folder, writes resolved.toml and mission.toml, and makes the observers that
+// write everything else but report.html. Throws InputError (the folder cannot be used) and
+// RunError.
 std::unique_ptr<FanOut> make_recorders(const std::filesystem::path& folder,
                                        const RecordOptions& options);
 

@@ -5,6 +5,8 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/file.hpp"
+#include "retiarius/record/replay_chunk.hpp"
+#include "retiarius/record/replay_header.hpp"
 #include "retiarius/record/run_file.hpp"
 #include "retiarius/record/summary_json.hpp"
 #include "retiarius/report/report_recorder.hpp"
@@ -97,7 +99,28 @@ void read_history(const RunFile& file, ReportData& data) {
   }
 }
 
+std::string recorded_title(const std::filesystem::path& path) {
+  try {
+    const std::string bytes = read_whole_file(path);
+    const ReplayChunks recording = read_chunks(bytes);
+    if (recording.chunks.empty()) throw InputError("it ends before its header");
+    const ReplayHeader header = read_replay_header(recording.chunks[0].content);
+    return Json::parse(header.text).at("title").get<std::string>();
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("cannot use {}: {}", path.string(), error.what()));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("cannot use {}: {}", path.string(), error.what()));
+  }
+}
+
 }  // namespace
+
+ReportData read_outcome(const std::filesystem::path& folder) {
+  ReportData data;
+  read_summary(folder / "summary.json", data);
+  if (data.title.empty()) data.title = recorded_title(folder / "replay.bin");
+  return data;
+}
 
 ReportData read_report(const std::filesystem::path& folder) {
   ReportData data;

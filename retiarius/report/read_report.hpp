@@ -11,4 +11,8 @@ namespace retiarius {
 // folder. Throws InputError that names the file and what is wrong with it.
 ReportData read_report(const std::filesystem::path& folder);
 
+// Only what summary.json says, and the title: of the recording where there is no summary. Throws as
+// read_report.
+ReportData read_outcome(const std::filesystem::path& folder);
+
 }  // namespace retiarius

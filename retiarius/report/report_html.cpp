@@ -1,10 +1,9 @@
 #include "retiarius/report/report_html.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "retiarius/record/summary_json.hpp"
+#include "retiarius/report/report_heading.hpp"
 #include "retiarius/report/report_plots.hpp"
 #include "retiarius/report/scene_svg.hpp"
 #include "retiarius/report/svg_plot.hpp"
@@ -12,57 +11,6 @@
 namespace retiarius {
 
 namespace {
-
-std::string spaced(std::string name) {
-  for (char& c : name)
-    if (c == '_') c = ' ';
-  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
-}
-
-std::string number_text(double value) {
-  if (!std::isfinite(value)) return "\u2013";
-  std::string text = fmt::format("{:.4g}", value);
-  if (text[0] == '-') text.replace(0, 1, "\u2212");
-  return text;
-}
-
-// Value and unit as HTML; a dash where the measure does not apply.
-std::string measure_html(const Measure& measure) {
-  std::string value = "\u2013";
-  if (const double* number = std::get_if<double>(&measure.value)) value = number_text(*number);
-  if (const auto* count = std::get_if<std::int64_t>(&measure.value))
-    value = fmt::format("{}", *count);
-  if (const bool* truth = std::get_if<bool>(&measure.value)) value = *truth ? "yes" : "no";
-  const std::string unit = value == "\u2013" ? "" : printed_unit(measure.unit);
-  return value + (unit.empty() ? "" : " <small>" + escape_html(unit) + "</small>");
-}
-
-std::string outcome_html(const ReportData& data) {
-  const char* outcome = to_string(data.run.outcome);
-  std::string text =
-      fmt::format("<p class=\"outcome {}\"><b>{}</b><span>", outcome, spaced(outcome));
-  if (!data.run.reason.empty()) {
-    text += escape_html(data.run.reason);
-  } else if (!data.run.phases.empty()) {
-    text += fmt::format("{} phase{}, {:.6g} s of mission time", data.run.phases.size(),
-                        data.run.phases.size() == 1 ? "" : "s", data.run.phases.back().end);
-  }
-  return text + "</span></p>";
-}
-
-// The measures a reader looks for first, as far as the run has them.
-std::string cards_html(const Measures& measures) {
-  std::string html;
-  for (const char* name : {"success", "captured_share", "closed", "mouth_area_max",
-                           "mouth_area_max_time", "peak_tension", "first_contact_time",
-                           "smallest_distance", "linear_momentum_drift", "wall_time"})
-    for (const Measure& measure : measures)
-      if (measure.name == name && !std::holds_alternative<std::monostate>(measure.value))
-        html += fmt::format("<div><dl><dt>{}</dt><dd>{}</dd></dl></div>", spaced(measure.name),
-                            measure_html(measure));
-  return html.empty() ? "" : "<div class=\"cards\">" + html + "</div>";
-}
 
 std::string phase_name(const ReportData& data, Index phase) {
   const auto k = static_cast<std::size_t>(phase);
@@ -177,7 +125,7 @@ std::string mission_html(const ReportData& data) {
 
 }  // namespace
 
-std::string report_html(const ReportData& data) {
+std::string report_html(const ReportData& data, const std::string& note) {
   const std::string title = escape_html(data.title.empty() ? "Mission" : data.title);
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
@@ -186,6 +134,7 @@ std::string report_html(const ReportData& data) {
       "<p class=\"brand\">Retiarius report</p><h1>{0}</h1>",
       title, kReportStyle);
   html += outcome_html(data) + cards_html(data.run.measures) + "\n";
+  if (!note.empty()) html += "<p class=\"note\">" + escape_html(note) + "</p>\n";
   html += story_html(data) + "\n" + plots_html(data) + "\n";
   html += phases_html(data) + "\n" + measures_html(data.run.measures) + "\n";
   html += mission_html(data) + "\n" + versions_html(data);

@@ -7,8 +7,9 @@
 
 namespace retiarius {
 
-// The page's text: no scripts, no references to anything outside it.
-std::string report_html(const ReportData& data);
+// The page's text: no scripts, no references to anything outside it. `note` is told below the
+// outcome.
+std::string report_html(const ReportData& data, const std::string& note = "");
 
 // The style sheet, with light and dark colours after the reader's preference.
 extern const char* const kReportStyle;

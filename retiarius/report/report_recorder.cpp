@@ -4,7 +4,7 @@
 
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/history_csv.hpp"
-#include "retiarius/report/report_html.hpp"
+#include "retiarius/report/report_page.hpp"
 
 namespace retiarius {
 
@@ -100,7 +100,7 @@ void ReportRecorder::end(const RunReport& report) {
   data_.rows = rows_.items();
   if (!data_.rows.empty() && data_.rows.back()[0] != last_row_[0]) data_.rows.push_back(last_row_);
   data_.pictures = pictures_.chosen();
-  write_atomically(path_, report_html(data_));
+  write_atomically(path_, report_page(path_.parent_path(), data_));
 }
 
 }  // namespace retiarius

@@ -45,7 +45,8 @@ class Pictures {
   std::vector<Picture> phase_ends_;  // the latest picture of each phase
 };
 
-// Gathers what the report shows and writes the page at the end, whatever the outcome.
+// Gathers what the report shows and writes the page at the end, whatever the outcome: with the 3D
+// replay where the viewer is built in and the folder has a recording.
 class ReportRecorder : public Observer {
  public:
   ReportRecorder(const std::filesystem::path& folder, std::string resolved, BuildInfo build);

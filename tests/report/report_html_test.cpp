@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "retiarius/report/report_heading.hpp"
 #include "retiarius/report/report_plots.hpp"
 
 namespace retiarius {
@@ -94,6 +95,18 @@ TEST(ReportPlots, ShowChangesAndRates) {
 TEST(PrintedUnit, HasSuperscripts) {
   EXPECT_EQ(printed_unit("kg m2/s"), "kg m\u00b2/s");
   EXPECT_EQ(printed_unit("1"), "");
+}
+
+TEST(ReportHtml, WritesPowersOfTenAsPeopleDo) {
+  EXPECT_EQ(measure_html({"drift", "1", 1.872e-13}), "1.872\u00b710\u207b\u00b9\u00b3");
+  EXPECT_EQ(measure_html({"area", "m2", -2.5e20}),
+            "\u22122.5\u00b710\u00b2\u2070 <small>m\u00b2</small>");
+  EXPECT_EQ(measure_html({"mass", "kg", 0.0123456}), "0.01235 <small>kg</small>");
+}
+
+TEST(ReportHtml, TellsWhatThePageLacks) {
+  EXPECT_THAT(report_html(some_data(), "without <3D>"),
+              HasSubstr("<p class=\"note\">without &lt;3D&gt;</p>"));
 }
 
 }  // namespace

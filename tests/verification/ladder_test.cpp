@@ -26,7 +26,7 @@ void expect_meaningful(const Comparison& c) {
   EXPECT_FALSE(c.quantity.empty());
   EXPECT_FALSE(c.source.empty());
   EXPECT_FALSE(c.argument.empty());
-  EXPECT_GT(c.bound, 0.0);
+  EXPECT_GE(c.bound, 0.0);  // 0: exactly
   // A relative bound that would pass a wrong factor of two is none.
   if (c.kind == ErrorKind::relative) {
     EXPECT_LE(c.bound, 0.2);

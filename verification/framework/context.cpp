@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -29,6 +31,13 @@ const Measure& find(const Measures& measures, const std::string& name) {
   for (const Measure& m : measures)
     if (m.name == name) return m;
   throw Error(fmt::format("the run has no measure {}", name));
+}
+
+// NaN for what is no number.
+double number(const std::string& cell) {
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  return end == cell.c_str() ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
 template <typename T>
@@ -132,7 +141,7 @@ Table Context::table(const std::string& name) const {
     for (std::vector<double>& column : table.columns) {
       if (!std::getline(cells, cell, ','))
         throw Error(fmt::format("{}.csv: too few numbers in \"{}\"", name, line));
-      column.push_back(std::stod(cell));
+      column.push_back(number(cell));
     }
   }
   return table;

@@ -65,7 +65,8 @@ class Context {
   // For cases that take a law by itself, without simulation: wrapped by the present fault.
   std::unique_ptr<Law> law(std::unique_ptr<Law> law) const;
 
-  // The case's NAME.csv: a line of names, lines of numbers; lines that begin with # say the source.
+  // The case's NAME.csv: a line of names, lines of numbers (NaN for words); lines that begin with #
+  // say the source.
   Table table(const std::string& name) const;
 
   // Adds a comparison whose source is the case's unless one is given.

@@ -168,10 +168,9 @@ void run(Context& context) {
   chart.source = "exact: free flight and damped half swings, joined";
   context.chart(chart);
   context.note(
-      "A damped thread that becomes taut at speed v pulls at once with EA tau v / l0. Implicit "
-      "Euler and Newmark book the viscous pull by the elongation that a step has brought, so the "
-      "jump costs them nothing of first order. The midpoint rule sees the thread taut only where "
-      "its stage is, and errs by up to zeta omega h of the speed at each jump.");
+      "A damped thread that becomes taut at speed v pulls at once with EA tau v / l0. The midpoint "
+      "rule sees the thread taut only where its stage is, and errs by up to zeta omega h of the "
+      "speed at each such jump; Newmark keeps its second order here.");
 }
 
 }  // namespace

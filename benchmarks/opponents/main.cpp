@@ -1,0 +1,87 @@
+// retiarius-bench: our linear solver against others on the matrices of falling nets, in one run.
+#include <map>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "benchmarks/family.hpp"
+#include "benchmarks/opponents/solvers.hpp"
+#include "retiarius/base/parallel.hpp"
+#include "retiarius/forces/bending.hpp"
+#include "retiarius/forces/stretching.hpp"
+#include "retiarius/motion/integrator.hpp"
+
+namespace retiarius::benchmarks {
+namespace {
+
+// The matrix of an implicit Euler step (h = 0.01 s) of a net that has fallen for ten of them.
+struct StepMatrix {
+  BlockPattern pattern;
+  BlockMatrix matrix;
+};
+
+StepMatrix& step_matrix(const Member& member) {
+  static std::map<std::pair<int, int>, StepMatrix> made;
+  auto [at, fresh] = made.try_emplace({member.n, member.s});
+  StepMatrix& m = at->second;
+  if (!fresh) return m;
+  const Network network = build_network(net_of(member));
+  const std::vector<Body> none;
+  Simulation simulation(network, none, initial_state(network, none));
+  simulation.configure({{0.0, 0.0, -50.0}, 0.1}, {}, {});
+  std::vector<Prescribed> held;
+  for (Index corner : network.corners)
+    held.push_back({corner, network.initial[corner], Vec3::Zero()});
+  for (int k = 1; k <= 10; ++k) simulation.advance(0.01 * k, [&](double) { return held; });
+  Stretching stretching(network);
+  BendingLaw bending(network);
+  m.pattern = BlockPattern(network.node_count());
+  stretching.couple(m.pattern);
+  bending.couple(m.pattern);
+  m.pattern.finish();
+  stretching.bind(m.pattern);
+  bending.bind(m.pattern);
+  m.matrix.reset(m.pattern);
+  const Step step = make_step(Method::implicit_euler, simulation.state(), 0.01);
+  stretching.prepare(step);
+  std::vector<Vec3> gradient(network.mass.size(), Vec3::Zero());
+  Assembly out{&gradient, &m.matrix, true};
+  stretching.assemble(step, simulation.state().x, out);
+  bending.assemble(step, simulation.state().x, out);
+  for (std::size_t i = 0; i < network.mass.size(); ++i)
+    m.matrix.diagonal[i].diagonal().array() += step.inertia * network.mass[i];
+  return m;
+}
+
+using Maker = std::unique_ptr<LinearSolver> (*)();
+
+void factor_and_solve(benchmark::State& state, Maker make) {
+  set_threads(1);
+  const StepMatrix& m =
+      step_matrix({static_cast<int>(state.range(0)), static_cast<int>(state.range(1))});
+  const std::unique_ptr<LinearSolver> solver = make();
+  solver->analyse(m.pattern);
+  std::vector<Vec3> x(m.matrix.diagonal.size());
+  for (auto _ : state) {
+    if (!solver->factor(m.matrix)) state.SkipWithError("not positive definite");
+    std::fill(x.begin(), x.end(), Vec3::Ones());
+    solver->solve(x);
+    benchmark::DoNotOptimize(x.data());
+  }
+  state.counters["nodes"] = static_cast<double>(x.size());
+}
+
+void nets(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMillisecond)->ArgNames({"n", "s"});
+  for (const auto& [n, s] : {std::pair{11, 3}, {21, 3}, {37, 3}, {12, 9}, {27, 0}}) b->Args({n, s});
+}
+
+BENCHMARK_CAPTURE(factor_and_solve, ours, make_multifrontal_solver)->Apply(nets);
+BENCHMARK_CAPTURE(factor_and_solve, cholmod_supernodal, make_cholmod_solver)->Apply(nets);
+BENCHMARK_CAPTURE(factor_and_solve, eigen_metis, make_eigen_metis_solver)->Apply(nets);
+BENCHMARK_CAPTURE(factor_and_solve, eigen_amd, make_eigen_amd_solver)->Apply(nets);
+
+}  // namespace
+}  // namespace retiarius::benchmarks
+
+BENCHMARK_MAIN();
