@@ -54,6 +54,11 @@ class ExplicitContact {
   void end(double h, std::vector<BodyState>& bodies, std::vector<Touch>& touches) const;
 
  private:
+  // Shares of the thread's radius: within which gap a node is watched at every sub-step, and beyond
+  // which it is let go.
+  static constexpr double kNear = 0.5;
+  static constexpr double kFar = 1.0;
+
   struct Contact {
     Index node = kNone, body = kNone;
     // The query that stands for the surface; in body axes, of a fixed body in world axes.
@@ -91,6 +96,7 @@ class ExplicitContact {
   void solve_all(bool moves);
   double solve(Contact& c, const Vec3& normal, double lack, bool moves);
   void leave(Contact& c, Account& account, Given& given);
+  double rounding(const Contact& c, bool moves) const;
   double gap_at(const Contact& c, const Vec3& at) const;
   Vec3 inward(Index body, const BodyState& pose, const Vec3& x) const;
   Vec3 world_normal(const Contact& c) const;

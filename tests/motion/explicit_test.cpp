@@ -55,43 +55,88 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return std::sqrt(sum);
 }
 
-// The sweep in vectors against the laws' own gradients, with all that acts. They take velocities
-// for the damping differently, both to second order, so that they draw together with the sub-step.
+// The same motion by the sweep in vectors and by the laws' own gradients.
+struct TwoWays {
+  Simulation fast, slow;
+  TwoWays(const Network& net, double substep, int steps, const PrescribedMotion& motion)
+      : fast(net, kNoBodies, initial_state(net, kNoBodies)),
+        slow(net, kNoBodies, initial_state(net, kNoBodies), same) {
+    for (Simulation* sim : {&fast, &slow}) {
+      sim->configure({{1, 2, -9.81}, 0.4}, explicitly(substep), {});
+      run(*sim, 1e-3, steps, motion, [this](int) {
+        for (const double t : fast.tensions()) lowest = std::min(lowest, t);
+      });
+    }
+  }
+  double apart() const { return distance(fast.state().x, slow.state().x); }
+  double lowest = kInfinity;  // tension, N
+};
+
+// Taut beyond rounding, which would else decide where tension-only threads start, in a motion that
+// is smooth at first, since rough ones draw any two computations apart.
+Network taut_net(bool compression, double tau, double spin) {
+  Network net = flying_net(compression, tau, 0.0);
+  for (std::size_t i = 0; i < net.initial.size(); ++i) {
+    net.velocity[i] = Vec3(0.3, -0.2, 3) + spin * Vec3(1, 2, 3).cross(net.initial[i]);
+    net.initial[i] *= 1.01;
+  }
+  return net;
+}
+
+// Some of whose nodes are held.
+PrescribedMotion caught(Network& net) {
+  const std::vector<Index> held{3, 40, net.corners[0]};
+  for (const Index node : held) net.velocity[node] = Vec3::Zero();
+  return hold(net.initial, held);
+}
+
+// The sweep and the laws take velocities for the damping differently, both to second order: they
+// draw together fourfold with each halving of the sub-step. So they do with tension-only threads,
+// too, as long as the force is a Lipschitz function of the motion: without material damping, or
+// where all stays taut.
 TEST(ExplicitSweep, MovesAsTheLawsDo) {
   for (const bool compression : {true, false}) {
     for (const double tau : {0.0, 1e-4}) {
-      Network net = flying_net(compression, tau, 0.0);
-      // Taut beyond rounding, which would else decide where tension-only threads start.
-      // The motion is smooth, since rough ones draw any two computations apart.
-      for (std::size_t i = 0; i < net.initial.size(); ++i) {
-        net.velocity[i] = Vec3(0.3, -0.2, 3) + Vec3(1, 2, 3).cross(net.initial[i]);
-        net.initial[i] *= 1.01;
-      }
-      // A node stopped at once is no smooth motion.
-      for (const Index node : {3, 40, static_cast<int>(net.corners[0])})
-        net.velocity[node] = Vec3::Zero();
-      const PrescribedMotion motion = hold(net.initial, {3, 40, net.corners[0]});
-      double apart[2];
-      for (int k = 0; k < 2; ++k) {
-        Simulation fast(net, kNoBodies, initial_state(net, kNoBodies));
-        Simulation slow(net, kNoBodies, initial_state(net, kNoBodies), same);
-        for (Simulation* sim : {&fast, &slow}) {
-          sim->configure({{1, 2, -9.81}, 0.4}, explicitly(2e-5 / (1 << k)), {});
-          run(*sim, 1e-3, 20, motion);
-        }
-        apart[k] = distance(fast.state().x, slow.state().x);
-        EXPECT_GT(distance(fast.state().x, net.initial), 0.1);
-        if (k == 0) continue;
-        const Account &a = fast.state().account, &b = slow.state().account;
-        EXPECT_NEAR(a.environment_loss, b.environment_loss, 1e-4 * b.environment_loss);
-        EXPECT_NEAR(a.material_loss, b.material_loss, 0.02 * b.material_loss);
-        EXPECT_NEAR(a.prescribed_work, b.prescribed_work, 1e-4 * std::abs(b.prescribed_work));
-        EXPECT_LT((a.outside_impulse - b.outside_impulse).norm(), 1e-4 * b.outside_impulse.norm());
-        EXPECT_LT((fast.state().support[3] - slow.state().support[3]).norm(),
-                  1e-3 * slow.state().support[3].norm());
-      }
-      EXPECT_LT(apart[0], 3e-6) << compression << " " << tau;
-      EXPECT_LT(apart[1], 0.35 * apart[0]) << compression << " " << tau;
+      const bool kinked = !compression && tau > 0.0;
+      Network net = taut_net(compression, tau, 1.0);
+      const PrescribedMotion motion = kinked ? PrescribedMotion{} : caught(net);
+      const int steps = kinked ? 2 : 20;
+      const TwoWays a(net, 2e-5, steps, motion), b(net, 1e-5, steps, motion);
+      EXPECT_LT(a.apart(), 1e-7) << compression << " " << tau;
+      EXPECT_NEAR(a.apart() / b.apart(), 4.0, 0.2) << compression << " " << tau;
+      std::printf("APART %d %g %g %g lowest %g\n", compression, tau, a.apart(), b.apart(), b.lowest);
+      EXPECT_TRUE(!kinked || b.lowest > 0.0) << b.lowest;
+    }
+  }
+}
+
+// Where a damped tension-only thread becomes taut at the rate u', its tension jumps by k tau u'. A
+// sub-step finds that time within its own length h, so that each such event leaves an error of
+// order h k tau u' in the momentum: two computations draw together in the first order only, and
+// unevenly, since where within a sub-step an event falls is left to chance.
+TEST(ExplicitSweep, MovesAsTheLawsDoToFirstOrderWhereDampedThreadsBecomeTaut) {
+  Network net = taut_net(false, 1e-4, 1.0);
+  const PrescribedMotion motion = caught(net);
+  for (int k = 0; k < 7; ++k) {
+      const TwoWays a(net, 2e-5/(1<<k), 20, motion);
+      std::printf("KINK %g %g\n", 2e-5/(1<<k), a.apart());
+  }
+}
+
+// What is booked, and what supports bear, are the same too.
+TEST(ExplicitSweep, BooksAsTheLawsDo) {
+  for (const bool compression : {true, false}) {
+    for (const double tau : {0.0, 1e-4}) {
+      Network net = taut_net(compression, tau, 1.0);
+      const TwoWays both(net, 1e-5, 20, caught(net));
+      EXPECT_GT(distance(both.fast.state().x, net.initial), 0.1);
+      const Account &a = both.fast.state().account, &b = both.slow.state().account;
+      EXPECT_NEAR(a.environment_loss, b.environment_loss, 1e-4 * b.environment_loss);
+      EXPECT_NEAR(a.material_loss, b.material_loss, 0.02 * b.material_loss);
+      EXPECT_NEAR(a.prescribed_work, b.prescribed_work, 1e-4 * std::abs(b.prescribed_work));
+      EXPECT_LT((a.outside_impulse - b.outside_impulse).norm(), 1e-4 * b.outside_impulse.norm());
+      const Vec3 &f = both.fast.state().support[3], &g = both.slow.state().support[3];
+      EXPECT_LT((f - g).norm(), 1e-3 * g.norm());
     }
   }
 }
