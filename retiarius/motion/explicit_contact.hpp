@@ -13,8 +13,8 @@ namespace retiarius {
 // radius from a surface gets the impulse that ends it there (plastic impact, the modified mass
 // method's constraint). Friction brings it back to the place where it stuck, by a tangential
 // impulse of at most the friction coefficient times the normal one; beyond that it slides. Free
-// bodies take the opposite impulses at once, and the contacts of one sub-step follow each other by
-// node.
+// bodies take the opposite impulses at once, and the contacts of one sub-step take turns until none
+// changes.
 //
 // Cost: each node has a box within which it cannot touch, since distances change by no more than
 // the ways of node and body; only nodes outside their box are looked at. Near a surface, the plane
@@ -46,7 +46,8 @@ class ExplicitContact {
   // places: moves the bodies under `gravity` and sees to the contacts.
   Given step(const Vec3& gravity, double kick, Account& account);
 
-  // After the half kick that ends the last sub-step: velocities into a surface are stopped.
+  // After the half kick that ends the last sub-step: velocities into a surface are stopped, of all
+  // nodes that have reached one.
   void finish(const Vec3& gravity, double kick, Account& account);
 
   // The bodies, and the touches with the mean reactions over time h (s), ordered by node. Bodies
