@@ -106,12 +106,11 @@ Vec3 ExplicitContact::world_normal(const Contact& c) const {
   return (*bodies_)[c.body].fixed ? c.normal : Vec3(poses_[c.body].attitude * c.normal);
 }
 
-void ExplicitContact::book(const Contact& c, const Vec3& normal, const Vec3& impulse,
-                           const Vec3& before, Account& account) const {
-  const Vec3 mean = 0.5 * (before + relative_velocity(c));
-  const Vec3 along = normal * normal.dot(impulse);
+void ExplicitContact::book(const Contact& c, Account& account) const {
+  const Vec3 mean = 0.5 * (c.relative + relative_velocity(c));
+  const Vec3 along = c.push * c.up, impulse = along + c.drag;
   account.impact_loss -= along.dot(mean);
-  account.friction_loss -= (impulse - along).dot(mean);
+  account.friction_loss -= c.drag.dot(mean);
   if (!(*bodies_)[c.body].fixed) return;
   account.outside_impulse += impulse;
   account.outside_angular_impulse += nodes_.layout->read(nodes_.x, c.node).cross(impulse);
@@ -121,9 +120,16 @@ void ExplicitContact::book(const Contact& c, const Vec3& normal, const Vec3& imp
 void ExplicitContact::meet(Contact& c) {
   look_again(c, inward(c.body, poses_[c.body], nodes_.layout->read(nodes_.x, c.node)));
   if (c.fresh) c.relative = relative_velocity(c);
+  aim(c);
+  c.sticks = friction_ > 0.0;
+}
+
+// Where impulses act from now on; there are none yet.
+void ExplicitContact::aim(Contact& c) {
+  c.up = world_normal(c);
+  c.lever = nodes_.layout->read(nodes_.x, c.node) - poses_[c.body].position;
   c.push = 0.0;
   c.drag = Vec3::Zero();
-  c.sticks = friction_ > 0.0;
 }
 
 // Books what a contact gave, and keeps what the next sub-step needs.
@@ -131,10 +137,8 @@ void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
   const SweepLayout& layout = *nodes_.layout;
   c.pushed = c.push > 0.0;
   if (c.pushed) {
-    const Vec3 normal = world_normal(c);
-    const Vec3 impulse = c.push * normal + c.drag;
-    given.impulse += impulse;
-    book(c, normal, impulse, c.relative, account);
+    given.impulse += c.push * c.up + c.drag;
+    book(c, account);
   } else {
     c.sticks = false;
   }
@@ -171,15 +175,10 @@ ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, A
 void ExplicitContact::finish(const Vec3& gravity, double kick, Account& account) {
   for (std::size_t b = 0; b < free_.size(); ++b)
     if (!(*bodies_)[b].fixed) poses_[b].velocity += kick * gravity;
-  for (Contact& c : contacts_) {
-    c.push = 0.0;
-    c.drag = Vec3::Zero();
-  }
+  for (Contact& c : contacts_) aim(c);
   solve_all(false);
-  for (Contact& c : contacts_) {
-    const Vec3 normal = world_normal(c);
-    if (c.push > 0.0) book(c, normal, c.push * normal + c.drag, c.relative, account);
-  }
+  for (const Contact& c : contacts_)
+    if (c.push > 0.0) book(c, account);
 }
 
 void ExplicitContact::end(double h, std::vector<BodyState>& bodies,

@@ -71,6 +71,10 @@ class ExplicitContact {
     Vec3 relative = Vec3::Zero();  // velocity then
     bool fresh = true;             // `relative` is not known yet
     bool sticks = false, pushed = false;
+    // World axes; kept through the turns of a sub-step, so that a turn can take back an earlier
+    // one.
+    Vec3 up = Vec3::UnitZ();      // normal
+    Vec3 lever = Vec3::Zero();    // from the body's centre
     double push = 0.0;            // along the normal in this sub-step, N s
     Vec3 drag = Vec3::Zero();     // friction's impulse in this sub-step, N s
     Vec3 impulse = Vec3::Zero();  // on the node since begin()
@@ -94,18 +98,18 @@ class ExplicitContact {
   void query(Contact& c, const Vec3& at) const;
   void look_again(Contact& c, const Vec3& at) const;
   void meet(Contact& c);
+  void aim(Contact& c);
   void solve_all(bool moves);
-  double solve(Contact& c, const Vec3& normal, double lack, bool moves);
+  double solve(Contact& c, double lack, bool moves);
   void leave(Contact& c, Account& account, Given& given);
   double rounding(const Contact& c, bool moves) const;
   double gap_at(const Contact& c, const Vec3& at) const;
   Vec3 inward(Index body, const BodyState& pose, const Vec3& x) const;
   Vec3 world_normal(const Contact& c) const;
-  double inverse_mass(const Contact& c, const Vec3& lever, const Vec3& direction) const;
+  double inverse_mass(const Contact& c, const Vec3& direction) const;
   void push(Contact& c, const Vec3& impulse, bool moves);
   Vec3 relative_velocity(const Contact& c) const;
-  void book(const Contact& c, const Vec3& normal, const Vec3& impulse, const Vec3& before,
-            Account& account) const;
+  void book(const Contact& c, Account& account) const;
   double gap_to(Index node, Index body) const;
   double lower_gap(Index node, Index body) const;
 

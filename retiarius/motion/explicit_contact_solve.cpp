@@ -35,12 +35,11 @@ Vec3 ExplicitContact::relative_velocity(const Contact& c) const {
   return v - pose.velocity - free_[c.body].spin.cross(lever);
 }
 
-double ExplicitContact::inverse_mass(const Contact& c, const Vec3& lever,
-                                     const Vec3& direction) const {
+double ExplicitContact::inverse_mass(const Contact& c, const Vec3& direction) const {
   const Free& f = free_[c.body];
   const double node = 1.0 / (*nodes_.mass)[c.node];
   if (f.inverse_mass == 0.0) return node;
-  const Vec3 arm = lever.cross(direction);
+  const Vec3 arm = c.lever.cross(direction);
   return node + f.inverse_mass + arm.dot(f.inverse_inertia * arm);
 }
 
@@ -56,7 +55,7 @@ void ExplicitContact::push(Contact& c, const Vec3& impulse, bool moves) {
   if (f.inverse_mass == 0.0) return;
   f.touched = true;
   BodyState& pose = poses_[c.body];
-  const Vec3 moment = -(x - pose.position).cross(impulse);
+  const Vec3 moment = -c.lever.cross(impulse);
   const Vec3 turn = f.inverse_inertia * moment;
   pose.velocity -= f.inverse_mass * impulse;
   pose.angular_momentum += moment;
@@ -69,11 +68,11 @@ void ExplicitContact::push(Contact& c, const Vec3& impulse, bool moves) {
 // One contact's turn: impulses so that its normal lack and its slip (m over the sub-step; m/s where
 // only velocities count) vanish, within what its sums may be: the normal one pushes, friction is
 // bounded. Returns the size of the change, N s.
-double ExplicitContact::solve(Contact& c, const Vec3& normal, double lack, bool moves) {
+double ExplicitContact::solve(Contact& c, double lack, bool moves) {
   const SweepLayout& layout = *nodes_.layout;
   const double time = moves ? h_ : 1.0;
-  Vec3 lever = layout.read(nodes_.x, c.node) - poses_[c.body].position;
-  const double size = std::max(-c.push, lack / time / inverse_mass(c, lever, normal));
+  const Vec3& normal = c.up;
+  const double size = std::max(-c.push, lack / time / inverse_mass(c, normal));
   if (size != 0.0) push(c, size * normal, moves);
   c.push += size;
   if (friction_ == 0.0 || c.push <= 0.0) return std::abs(size);
@@ -86,8 +85,7 @@ double ExplicitContact::solve(Contact& c, const Vec3& normal, double lack, bool 
   slip -= normal * normal.dot(slip);
   const double way = slip.norm();
   if (way == 0.0) return std::abs(size);
-  lever = x - poses_[c.body].position;
-  Vec3 wanted = c.drag - slip / (time * inverse_mass(c, lever, slip / way));
+  Vec3 wanted = c.drag - slip / (time * inverse_mass(c, slip / way));
   const double limit = friction_ * c.push, most = wanted.norm();
   c.sticks = most <= limit;
   if (!c.sticks) wanted *= limit / most;
@@ -110,8 +108,7 @@ void ExplicitContact::solve_all(bool moves) {
   for (int k = 0; k < (coupled ? kMostTurns : 1); ++k) {
     double change = 0.0, largest = 0.0;
     for (Contact& c : contacts_) {
-      const Vec3 normal = world_normal(c);
-      double lack = -normal.dot(relative_velocity(c));
+      double lack = -c.up.dot(relative_velocity(c));
       if (moves) {
         const Vec3 x = nodes_.layout->read(nodes_.x, c.node);
         lack = std::min(0.0, c.gap) - gap_at(c, inward(c.body, poses_[c.body], x));
@@ -119,7 +116,7 @@ void ExplicitContact::solve_all(bool moves) {
         continue;
       }
       if (lack <= 0.0 && c.push == 0.0) continue;
-      change = std::max(change, solve(c, normal, lack, moves) - rounding(c, moves));
+      change = std::max(change, solve(c, lack, moves) - rounding(c, moves));
       largest = std::max(largest, c.push);
     }
     if (change <= kTurnTolerance * largest) break;
