@@ -55,7 +55,8 @@ TEST(Info, TellsTheStableStepAndTheSegmentThatSetsIt) {
 }
 
 TEST(Info, TellsTheSubstepsOfAnExplicitMission) {
-  const std::string mission = small_mission() + "\n[integrator]\nmethod = \"explicit\"\n";
+  const std::string mission =
+      replaced(small_mission(), "[integrator]\n", "[integrator]\nmethod = \"explicit\"\n");
   EXPECT_THAT(info_of(mission), ContainsRegex("explicit sub-steps in it +[1-9][0-9]*\n"));
 }
 
