@@ -11,6 +11,7 @@
 #include "program/console.hpp"
 #include "program/text_table.hpp"
 #include "retiarius/mission/run.hpp"
+#include "retiarius/motion/simulation.hpp"
 
 namespace retiarius::program {
 
@@ -58,6 +59,11 @@ std::string step_section(const Mission& mission, const Network& network) {
                     stable.segment, segment.a, segment.b, quantity(segment.rest_length, "m")));
   }
   table.add("the mission's step", quantity(mission.integrator.step, "s"));
+  if (mission.integrator.method == Method::explicit_differences) {
+    table.add(
+        "explicit sub-steps in it",
+        fmt::format("{}", explicit_substeps(network, mission.integrator, mission.integrator.step)));
+  }
   return "\nstep\n" + table.text();
 }
 

@@ -70,6 +70,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   phase_.see_step(state.time, report.iterations, tension, touching);
   ++steps_;
   iterations_ += report.iterations;
+  substeps_ += report.substeps;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);
 }

@@ -49,6 +49,7 @@ Measures RunMeasures::summary() const {
       measure("angular_momentum_drift", "", angular_.value()),
       {"steps", "", steps_},
       {"newton_iterations", "", iterations_},
+      {"substeps", "", substeps_},
   };
 }
 

@@ -66,23 +66,4 @@ void check_memory(const Estimate& e) {
       e.nodes, e.segments, e.memory / 1e9, available / 1e9));
 }
 
-StableStep stable_explicit_step(const Network& network) {
-  // Stiffness that each node feels: of all its segments.
-  std::vector<double> stiffness(network.mass.size(), 0.0);
-  for (const Segment& s : network.segments) {
-    const double k = network.materials[s.material].axial_stiffness / s.rest_length;
-    stiffness[s.a] += k;
-    stiffness[s.b] += k;
-  }
-  StableStep result{kInfinity, kNone};
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const Segment& s = network.segments[i];
-    const double omega2 =
-        2.0 * std::max(stiffness[s.a] / network.mass[s.a], stiffness[s.b] / network.mass[s.b]);
-    const double step = 2.0 / std::sqrt(omega2);
-    if (step < result.step) result = {step, static_cast<Index>(i)};
-  }
-  return result;
-}
-
 }  // namespace retiarius

@@ -9,6 +9,7 @@
 #include "retiarius/base/log.hpp"
 #include "retiarius/mission/mission.hpp"
 #include "retiarius/mission/observer.hpp"
+#include "retiarius/motion/stable_step.hpp"
 #include "retiarius/state/law.hpp"
 
 namespace retiarius {
@@ -46,15 +47,6 @@ Estimate estimate(const Mission& mission);
 
 // Throws InputError, naming both sizes, where the mission needs more memory than the machine has.
 void check_memory(const Estimate& estimate);
-
-// A step, s, at which a plain explicit scheme is surely stable, and the segment that sets it:
-// 2 / omega with omega^2 = 2 k / m, the largest over the nodes of k, the sum of the axial
-// stiffnesses EA / l0 that meet in one, over its mass (Gershgorin's bound).
-struct StableStep {
-  double step = 0.0;
-  Index segment = kNone;
-};
-StableStep stable_explicit_step(const Network& network);
 
 // Throws InputError where run_mission would before its first observer call.
 void check_run(const Mission& mission, const MissionModel& model, const RunOptions& options = {});

@@ -15,20 +15,27 @@ const Table<EnvironmentSpec>& environment_table() {
 const Table<IntegratorSpec>& integrator_table() {
   static const Table<IntegratorSpec> table(
       {"integrator", "How time is stepped. A phase may override it.", "", false, {}},
-      {word("method", &IntegratorSpec::method,
-            {{"implicit-euler", Method::implicit_euler},
-             {"newmark", Method::newmark},
-             {"midpoint", Method::midpoint},
-             {"static", Method::static_solve}},
-            "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, or the "
-            "static equilibrium")
-           .not_yet({"auto", "explicit"}),
+      {word(
+           "method", &IntegratorSpec::method,
+           {{"implicit-euler", Method::implicit_euler},
+            {"newmark", Method::newmark},
+            {"midpoint", Method::midpoint},
+            {"explicit", Method::explicit_differences},
+            {"static", Method::static_solve}},
+           "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, explicit "
+           "central differences in sub-steps (for stiff nets of few segments a piece), or the "
+           "static equilibrium")
+           .not_yet({"auto"}),
        word("solver", &IntegratorSpec::solver,
             {{"auto", Solver::automatic}, {"direct", Solver::direct}, {"reuse", Solver::reuse}},
             "how the equations of a step are solved: with a new factorisation for every iteration "
             "(direct) or with one kept while it serves (reuse); auto takes reuse where all threads "
             "carry compression"),
        key("step", &IntegratorSpec::step, "s", "h; divides output.interval").above(0),
+       key("substep", &IntegratorSpec::substep, "s",
+           "explicit only: the longest sub-step; each step is cut into equal ones below it and "
+           "below nine tenths of the stable step; 0: that alone")
+           .at_least(0),
        key("tolerance", &IntegratorSpec::tolerance, "",
            "of Newton's iteration: of moves over the median rest length and of forces over the "
            "largest force")

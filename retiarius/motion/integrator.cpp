@@ -1,5 +1,7 @@
 #include "retiarius/motion/integrator.hpp"
 
+#include "retiarius/base/error.hpp"
+
 namespace retiarius {
 
 const char* to_string(Method method) {
@@ -10,6 +12,8 @@ const char* to_string(Method method) {
       return "newmark";
     case Method::midpoint:
       return "midpoint";
+    case Method::explicit_differences:
+      return "explicit";
     case Method::static_solve:
       return "static";
   }
@@ -38,6 +42,8 @@ Step make_step(Method method, const State& start, double h) {
       s.reach = 2.0;
       s.strain_rate = Step::StrainRate::midpoint;
       break;
+    case Method::explicit_differences:
+      throw Error("the explicit integrator solves for no stage");
     case Method::static_solve:
       // A pseudo-step of relaxation: inertia holds the net back, velocities do not count.
       s.rate = 0.0;

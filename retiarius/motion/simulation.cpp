@@ -74,6 +74,14 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
     add_law(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
   problem_->bind_laws();
   response_.reset();
+  explicit_contact_.reset();
+  if (integrator.method == Method::explicit_differences) {
+    if (!explicit_) explicit_ = std::make_unique<ExplicitStepper>(*network_);
+    if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
+      explicit_contact_ =
+          std::make_unique<ExplicitContact>(*bodies_, node_radii(*network_), contact.friction);
+    return;
+  }
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
     response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
                                                contact.friction);
@@ -181,6 +189,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
 }
 
 StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
+  if (integrator_.method == Method::explicit_differences) return advance_explicitly(end, motion);
   StepReport report;
   std::string failure;
   const double whole = end - state_.time;

@@ -11,6 +11,7 @@
 #include "retiarius/forces/bending.hpp"
 #include "retiarius/forces/spec.hpp"
 #include "retiarius/forces/stretching.hpp"
+#include "retiarius/motion/explicit_stepper.hpp"
 #include "retiarius/motion/spec.hpp"
 #include "retiarius/motion/step_problem.hpp"
 #include "retiarius/net/network.hpp"
@@ -30,7 +31,13 @@ struct StepReport {
   int halvings = 0;    // before the step was accepted
   int factorisations = 0;
   int projections = 0;  // of the Hessian
+  int substeps = 0;     // of the explicit integrator; 0 by any other
 };
+
+// The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number
+// that brings them to integrator.substep, where given, and to nine tenths of stable_explicit_step.
+// Throws RunError beyond a thousand million.
+int explicit_substeps(const Network& network, const IntegratorSpec& integrator, double h);
 
 // The state at the mission's start: the network's initial positions and velocities, bodies' initial
 // states.
@@ -83,6 +90,7 @@ class Simulation {
   void add_law(std::unique_ptr<Law> law);
   bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
                 std::string& failure);
+  StepReport advance_explicitly(double end, const PrescribedMotion& motion);
   std::vector<Vec3> start_acceleration();
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
@@ -105,6 +113,8 @@ class Simulation {
   std::size_t lasting_laws_ = 0;
   std::unique_ptr<StepProblem> problem_;
   std::unique_ptr<ContactResponse> response_;
+  std::unique_ptr<ExplicitStepper> explicit_;
+  std::unique_ptr<ExplicitContact> explicit_contact_;
   std::vector<double> tensions_;
   bool bodies_held_ = false;
   double length_scale_ = 0.0;  // median rest length, m

@@ -3,7 +3,7 @@
 
 namespace retiarius {
 
-enum class Method { implicit_euler, newmark, midpoint, static_solve };
+enum class Method { implicit_euler, newmark, midpoint, explicit_differences, static_solve };
 
 // How a step's equations are solved: with a new factorisation for every iteration (direct), or with
 // one kept while it serves (reuse). automatic: reuse where all threads carry compression.
@@ -11,7 +11,9 @@ enum class Solver { automatic, direct, reuse };
 
 struct IntegratorSpec {
   Method method = Method::implicit_euler;
-  double step = 0.01;         // h, s
+  double step = 0.01;  // h, s
+  // Longest sub-step of the explicit integrator, s; 0: as long as is surely stable.
+  double substep = 0.0;
   double tolerance = 1.0e-8;  // of Newton's iteration
   Solver solver = Solver::automatic;
   int max_iterations = 50;  // Newton iterations of one step before it is halved

@@ -190,5 +190,27 @@ TEST(FreeSphere, PlasticImpactGivesTheCommonVelocity) {
   }
 }
 
+// Two masses on the face of a body a hundred times lighter than each: what one contact does to the
+// other all but undoes it, so that contacts which take turns need many to share one velocity.
+TEST(FreeBox, ExplicitContactsOfAVeryLightBodyShareOneVelocity) {
+  const double body_mass = 0.005;
+  for (double friction : {0.0, 0.3}) {
+    const Network net = two_masses({0, 0, 0.2}, {0, 0, -3});
+    const std::vector<Body> bodies{box({0.3, 0.3, 0.1}, body_mass, {0, 0, 0})};
+    Simulation sim(net, bodies, initial_state(net, bodies));
+    sim.configure({}, with(Method::explicit_differences), touching(friction));
+    run(sim, 1e-3, 100);
+    const double common = -3.0 * 1.0 / (1.0 + body_mass);
+    const State& s = sim.state();
+    EXPECT_NEAR(s.v[0].z(), common, 1e-7) << friction;
+    EXPECT_NEAR(s.v[1].z(), common, 1e-7) << friction;
+    EXPECT_NEAR(s.bodies[0].velocity.z(), common, 1e-7) << friction;
+    EXPECT_LT(s.bodies[0].angular_momentum.norm(), 1e-9) << friction;
+    const double lost = 0.5 * 9.0 * body_mass / (1.0 + body_mass);
+    EXPECT_NEAR(s.account.impact_loss, lost, 1e-5 * lost) << friction;
+    EXPECT_LT(std::abs(linear_momentum(sim).z() + 3.0), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace retiarius

@@ -329,7 +329,8 @@ TEST_F(ShutNet, NamesAllMeasures) {
                                              "linear_momentum_drift",
                                              "angular_momentum_drift",
                                              "steps",
-                                             "newton_iterations"};
+                                             "newton_iterations",
+                                             "substeps"};
   EXPECT_EQ(names, expected);
 }
 

@@ -54,6 +54,12 @@ TEST(Info, TellsTheStableStepAndTheSegmentThatSetsIt) {
                             "\\(nodes [0-9]+ and [0-9]+, 0.25 m long\\)"));
 }
 
+TEST(Info, TellsTheSubstepsOfAnExplicitMission) {
+  const std::string mission =
+      replaced(small_mission(), "[integrator]\n", "[integrator]\nmethod = \"explicit\"\n");
+  EXPECT_THAT(info_of(mission), ContainsRegex("explicit sub-steps in it +[1-9][0-9]*\n"));
+}
+
 TEST(Info, TellsBodiesAndNeeds) {
   const std::string target =
       "\n[target]\nshape = \"box\"\nsize = [1.0, 2.0, 3.0]\nmass = 12.0\n"
