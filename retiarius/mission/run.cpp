@@ -158,6 +158,7 @@ class MissionLoop {
   double phase_start_ = 0.0;
   double fraction_ = 0.0;
   std::string broken_;
+  bool told_unsettled_ = false;
   Index row_phase_ = 0;
   double energy_scale_ = round_off_energy(network_);  // J
   double first_gravity_energy_ = kInfinity;           // of the phase, J
@@ -291,6 +292,13 @@ void MissionLoop::advance(Phase& phase) {
 void MissionLoop::after_step(Phase& phase, const StepReport& step) {
   measures_.step(simulation_, step);
   check_strength();
+  if (step.unsettled > 0 && !told_unsettled_) {
+    told_unsettled_ = true;
+    log_to(options_.log, LogLevel::warning,
+           fmt::format("contacts did not settle in {} of {} sub-steps before {:.6g} s; a smaller "
+                       "integrator.substep or an implicit method may be needed",
+                       step.unsettled, step.substeps, simulation_.state().time));
+  }
   const double now = simulation_.state().time;
   if (const auto end = phase.trigger.latest_time(phase_start_); end && *end > phase_start_)
     fraction_ = (now - phase_start_) / (*end - phase_start_);

@@ -79,6 +79,7 @@ StepReport Simulation::advance_explicitly(double end, const PrescribedMotion& mo
   next.time = end;
   explicit_->run(job, free_bodies(report.h), next);
   state_ = std::move(next);
+  if (job.contact) report.unsettled = job.contact->unsettled();
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     if ((*bodies_)[b].fixed || bodies_held_) continue;
     const Vec3 impulse = report.h * (*bodies_)[b].mass * environment_.gravity;

@@ -37,6 +37,7 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
   contacts_.clear();
   contacts_.reserve(radius_.size() * bodies_->size());
   drift_ = 0.0;
+  unsettled_ = 0;
   for (std::size_t i = 0; i < radius_.size(); ++i) {
     const Index node = static_cast<Index>(i);
     if ((*nodes_.held)[i]) continue;

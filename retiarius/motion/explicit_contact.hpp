@@ -54,6 +54,9 @@ class ExplicitContact {
   // that nothing touched are left as they are in `bodies`.
   void end(double h, std::vector<BodyState>& bodies, std::vector<Touch>& touches) const;
 
+  // Times since begin() that the contacts of a sub-step did not settle within the turns allowed.
+  int unsettled() const { return unsettled_; }
+
  private:
   // Shares of the thread's radius: within which gap a node is watched at every sub-step, and beyond
   // which it is let go.
@@ -121,6 +124,7 @@ class ExplicitContact {
   std::vector<BodyState> poses_, old_poses_;
   std::vector<Free> free_;
   bool any_free_ = false;
+  int unsettled_ = 0;                   // times since begin() that turns were not enough
   double drift_ = 0.0;                  // way of the fastest surface point since begin(), m
   double earliest_ = 0.0;               // drift at which a guard ends
   std::vector<double> until_;           // the same of each node

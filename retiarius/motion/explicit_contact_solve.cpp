@@ -11,9 +11,9 @@ namespace {
 
 // Contacts take turns until none changes by more than this share of the largest impulse, or more
 // than rounding of places and velocities (a few digits of the last place) makes of it. With k nodes
-// of mass m on a body of mass M an error falls to about (m / (m + M))^2 of itself in a turn. Were
-// the turns not enough, the pairs of impulses would still be equal and opposite, and the sub-steps
-// after this would go on from there.
+// of mass m on a body of mass M an error falls to about (m / (m + M))^2 of itself in a turn. Where
+// the turns are not enough, the pairs of impulses are still equal and opposite, the sub-steps after
+// this go on from there, and the run is told.
 constexpr int kMostTurns = 2000;
 constexpr double kTurnTolerance = 1e-10;
 constexpr double kRounding = 4e-15;
@@ -119,8 +119,9 @@ void ExplicitContact::solve_all(bool moves) {
       change = std::max(change, solve(c, lack, moves) - rounding(c, moves));
       largest = std::max(largest, c.push);
     }
-    if (change <= kTurnTolerance * largest) break;
+    if (!coupled || change <= kTurnTolerance * largest) return;
   }
+  ++unsettled_;
 }
 
 }  // namespace retiarius

@@ -32,6 +32,7 @@ struct StepReport {
   int factorisations = 0;
   int projections = 0;  // of the Hessian
   int substeps = 0;     // of the explicit integrator; 0 by any other
+  int unsettled = 0;    // of these, solves of contacts that did not settle
 };
 
 // The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number

@@ -33,6 +33,16 @@ TEST(Capture, OfACubeHalfOutside) {
   EXPECT_FALSE(part->center_inside);
 }
 
+// A corner of the unit cube just within the hull, and just out of it: near where no hull is made.
+TEST(Capture, OfACorner) {
+  const double shift = 0.6 + 0.5;
+  const Body near = box(Vec3::Constant(shift - 0.1)), far = box(Vec3::Constant(shift + 0.1));
+  EXPECT_NEAR(measure_capture(near, near.initial, cube(0.6))->share, 3 * 0.01 / 6.0, 1e-12);
+  EXPECT_EQ(measure_capture(far, far.initial, cube(0.6))->share, 0.0);
+  const Body away = box(Vec3(0, 0, -50));
+  EXPECT_EQ(measure_capture(away, away.initial, cube(0.6))->share, 0.0);
+}
+
 TEST(Capture, FlatNetHoldsNothing) {
   const auto flat = measure_capture(box(Vec3::Zero()), BodyState{},
                                     {{2, 2, 0}, {-2, 2, 0}, {-2, -2, 0}, {2, -2, 0}});

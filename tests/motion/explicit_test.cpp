@@ -6,6 +6,7 @@
 #include "retiarius/base/instruction_set.hpp"
 #include "retiarius/motion/stable_step.hpp"
 #include "tests/motion/advance.hpp"
+#include "tests/motion/flying_net.hpp"
 #include "tests/state/small_nets.hpp"
 
 namespace retiarius {
@@ -24,30 +25,6 @@ IntegratorSpec explicitly(double substep = 0.0) {
 
 // A law as it is: its presence alone takes the simulation off its fast path.
 std::unique_ptr<Law> same(std::unique_ptr<Law> law) { return law; }
-
-Network flying_net(bool compression, double tau, double bending) {
-  NetSpec spec;
-  spec.pattern = Pattern::hexagon;
-  spec.side = 1.0;
-  spec.mesh = 0.25;
-  spec.segments = 3;
-  spec.thread.young_modulus = 1e6;
-  spec.thread.density = 1000.0;
-  spec.thread.radius = 0.005;
-  spec.thread.compression = compression;
-  spec.thread.material_damping = tau;
-  if (bending > 0.0) {
-    spec.thread.bending = Bending::bounded;
-    spec.thread.bending_stiffness = bending;
-  }
-  Network net = build_network(spec);
-  for (std::size_t i = 0; i < net.initial.size(); ++i) {
-    const Vec3 r = net.initial[i];
-    net.velocity[i] = Vec3(0.3, -0.2, 3) + Vec3(1, 2, 3).cross(r) +
-                      2.0 * Vec3(r.x() * r.y(), -r.y(), std::sin(9.0 * r.x()));
-  }
-  return net;
-}
 
 double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double sum = 0.0;
@@ -75,7 +52,7 @@ struct TwoWays {
 // Taut beyond rounding, which would else decide where tension-only threads start, in a motion that
 // is smooth at first, since rough ones draw any two computations apart.
 Network taut_net(bool compression, double tau, double spin) {
-  Network net = flying_net(compression, tau, 0.0);
+  Network net = flying_net(Pattern::hexagon, 3, compression, tau, 0.0);
   for (std::size_t i = 0; i < net.initial.size(); ++i) {
     net.velocity[i] = Vec3(0.3, -0.2, 3) + spin * Vec3(1, 2, 3).cross(net.initial[i]);
     net.initial[i] *= 1.01;
@@ -150,7 +127,7 @@ TEST(ExplicitSweep, BooksAsTheLawsDo) {
 }
 
 TEST(ExplicitSweep, IsTheSameWithAllKernels) {
-  const Network net = flying_net(false, 1e-4, 0.0);
+  const Network net = flying_net(Pattern::hexagon, 3, false, 1e-4, 0.0);
   std::vector<std::vector<Vec3>> ends;
   for (const std::string_view kernels : available_kernels()) {
     set_kernels(kernels);
@@ -214,7 +191,7 @@ TEST(ExplicitOscillator, HasTheSchemesFrequencyAndKeepsItsEnergy) {
 }
 
 TEST(ExplicitEnergy, OfAFlightWithoutDampingDoesNotDrift) {
-  const Network net = flying_net(true, 0.0, 0.0);
+  const Network net = flying_net(Pattern::hexagon, 3, true, 0.0, 0.0);
   Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
   sim.configure({}, explicitly(), {});
   const double before = mechanical_energy(sim);
@@ -230,7 +207,7 @@ TEST(ExplicitEnergy, OfAFlightWithoutDampingDoesNotDrift) {
 
 // The account explains the energy's fall; its remainder is of second order.
 TEST(ExplicitEnergy, AccountClosesToSecondOrder) {
-  const Network net = flying_net(true, 1e-3, 0.0);
+  const Network net = flying_net(Pattern::hexagon, 3, true, 1e-3, 0.0);
   double remainder[2], lost = 0.0;
   for (int k = 0; k < 2; ++k) {
     Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
@@ -248,7 +225,7 @@ TEST(ExplicitEnergy, AccountClosesToSecondOrder) {
 TEST(ExplicitMomentum, IsKeptAndBookedToRoundOff) {
   for (const bool wrapped : {false, true}) {
     for (const double bending : {0.0, 0.05}) {
-      const Network net = flying_net(false, 1e-4, bending);
+      const Network net = flying_net(Pattern::hexagon, 3, false, 1e-4, bending);
       Simulation sim(net, kNoBodies, initial_state(net, kNoBodies), wrapped ? same : LawWrapper{});
       sim.configure({{1, 2, -9.81}, 0.4}, explicitly(), {});
       sim.kick(3, {1, 2, 3});
@@ -297,7 +274,7 @@ TEST(ExplicitWave, CarriesEaVOverC) {
 }
 
 TEST(ExplicitSubsteps, AreWholeFractionsBelowTheStableStep) {
-  const Network net = flying_net(false, 1e-4, 0.0);
+  const Network net = flying_net(Pattern::hexagon, 3, false, 1e-4, 0.0);
   const double stable = stable_explicit_step(net).step;
   Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
   sim.configure({}, explicitly(), {});

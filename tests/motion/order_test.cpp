@@ -3,6 +3,7 @@
 
 #include "retiarius/motion/integrator.hpp"
 #include "tests/motion/advance.hpp"
+#include "tests/motion/flying_net.hpp"
 #include "tests/state/small_nets.hpp"
 
 namespace retiarius {
@@ -115,35 +116,11 @@ TEST(Energy, OfALinearOscillator) {
   EXPECT_NEAR(energy_after(net, Method::implicit_euler, h, 100) / kept, 1.0, 1e-7);
 }
 
-Network flying_net(bool compression, double tau, double bending) {
-  NetSpec spec;
-  spec.pattern = Pattern::square;
-  spec.side = 1.0;
-  spec.mesh = 0.25;
-  spec.segments = 2;
-  spec.thread.young_modulus = 1e6;
-  spec.thread.density = 1000.0;
-  spec.thread.radius = 0.005;
-  spec.thread.compression = compression;
-  spec.thread.material_damping = tau;
-  if (bending > 0.0) {
-    spec.thread.bending = Bending::bounded;
-    spec.thread.bending_stiffness = bending;
-  }
-  Network net = build_network(spec);
-  for (std::size_t i = 0; i < net.initial.size(); ++i) {
-    const Vec3 r = net.initial[i];
-    net.velocity[i] = Vec3(0.3, -0.2, 3) + Vec3(1, 2, 3).cross(r) +
-                      2.0 * Vec3(r.x() * r.y(), -r.y(), std::sin(9.0 * r.x()));
-  }
-  return net;
-}
-
 // What a convex problem loses in implicit Euler is half of m |dv|^2 and a Bregman distance: never
 // negative, but for the round-off of energies of some 10 J and Newton's tolerance.
 TEST(Energy, ImplicitEulersOwnLossIsNeverNegativeForTensionOnlyNets) {
   for (double tau : {0.0, 1e-3}) {
-    const Network net = flying_net(false, tau, 0.0);
+    const Network net = flying_net(Pattern::square, 2, false, tau, 0.0);
     Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
     IntegratorSpec integrator;
     sim.configure({{0, 0, -9.81}, 0.2}, integrator, {});
@@ -165,7 +142,7 @@ TEST(Energy, ImplicitEulersOwnLossIsNeverNegativeForTensionOnlyNets) {
 // With damping the account explains the energy's fall; the remainder is the integrator's, of second
 // order: it falls about fourfold as h is halved, and is small.
 TEST(Energy, AccountClosesToSecondOrder) {
-  const Network net = flying_net(true, 2e-3, 0.05);
+  const Network net = flying_net(Pattern::square, 2, true, 2e-3, 0.05);
   for (Method method : {Method::newmark, Method::midpoint}) {
     double remainder[2];
     double lost = 0.0;
@@ -188,7 +165,7 @@ TEST(Energy, AccountClosesToSecondOrder) {
 // Round-off of 81 nodes and 300 steps, even when Newton stops early.
 TEST(Momentum, LinearIsKeptToRoundOffWithALooseTolerance) {
   for (bool compression : {true, false}) {
-    const Network net = flying_net(compression, 1e-3, 0.05);
+    const Network net = flying_net(Pattern::square, 2, compression, 1e-3, 0.05);
     for (Method method : kDynamic) {
       for (double tolerance : {1e-2, 1e-8}) {
         Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
@@ -207,7 +184,7 @@ TEST(Momentum, LinearIsKeptToRoundOffWithALooseTolerance) {
 }
 
 TEST(Momentum, AngularIsKeptByMidpointWithStretchingAndBending) {
-  const Network net = flying_net(true, 1e-3, 0.05);
+  const Network net = flying_net(Pattern::square, 2, true, 1e-3, 0.05);
   Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
   IntegratorSpec integrator;
   integrator.method = Method::midpoint;
@@ -220,7 +197,7 @@ TEST(Momentum, AngularIsKeptByMidpointWithStretchingAndBending) {
 
 // Gravity, damping and supports: what they gave is in the account.
 TEST(Momentum, OutsideImpulsesAreBooked) {
-  const Network net = flying_net(true, 1e-3, 0.05);
+  const Network net = flying_net(Pattern::square, 2, true, 1e-3, 0.05);
   for (Method method : kDynamic) {
     Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
     IntegratorSpec integrator;
