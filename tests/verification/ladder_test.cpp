@@ -3,6 +3,7 @@
 #include "verification/framework/ladder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -27,9 +28,11 @@ void expect_meaningful(const Comparison& c) {
   EXPECT_FALSE(c.source.empty());
   EXPECT_FALSE(c.argument.empty());
   EXPECT_GE(c.bound, 0.0);  // 0: exactly
-  // A relative bound that would pass a wrong factor of two is none.
+  // A bound that would pass a wrong factor of two is none: half of the reference is the limit.
   if (c.kind == ErrorKind::relative) {
     EXPECT_LE(c.bound, 0.2);
+  } else if (c.reference != 0.0) {
+    EXPECT_LT(c.bound, 0.5 * std::abs(c.reference));
   }
 }
 
