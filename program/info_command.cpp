@@ -60,9 +60,9 @@ std::string step_section(const Mission& mission, const Network& network) {
   }
   table.add("the mission's step", quantity(mission.integrator.step, "s"));
   if (mission.integrator.method == Method::explicit_differences) {
-    table.add(
-        "explicit sub-steps in it",
-        fmt::format("{}", explicit_substeps(network, mission.integrator, mission.integrator.step)));
+    table.add("explicit sub-steps in it",
+              fmt::format("{}", explicit_substeps(stable.step, mission.integrator,
+                                                  mission.integrator.step)));
   }
   return "\nstep\n" + table.text();
 }

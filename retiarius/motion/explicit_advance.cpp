@@ -7,7 +7,6 @@
 #include "retiarius/base/error.hpp"
 #include "retiarius/motion/explicit_stepper.hpp"
 #include "retiarius/motion/simulation.hpp"
-#include "retiarius/motion/stable_step.hpp"
 
 namespace retiarius {
 
@@ -40,8 +39,8 @@ ExplicitStepper::Way way_to(const Prescribed& p, const std::vector<Prescribed>& 
 
 }  // namespace
 
-int explicit_substeps(const Network& network, const IntegratorSpec& integrator, double h) {
-  double most = kSafety * stable_explicit_step(network).step;
+int explicit_substeps(double stable_step, const IntegratorSpec& integrator, double h) {
+  double most = kSafety * stable_step;
   if (integrator.substep > 0.0) most = std::min(most, integrator.substep);
   const double count = std::ceil(h / most * (1.0 - 1e-9));
   if (count > 1e9)
@@ -55,7 +54,7 @@ int explicit_substeps(const Network& network, const IntegratorSpec& integrator, 
 StepReport Simulation::advance_explicitly(double end, const PrescribedMotion& motion) {
   StepReport report;
   report.h = end - state_.time;
-  report.substeps = explicit_substeps(*network_, integrator_, report.h);
+  report.substeps = explicit_substeps(stable_step_, integrator_, report.h);
   ExplicitStepper::Job job;
   job.h = report.h;
   job.substeps = report.substeps;

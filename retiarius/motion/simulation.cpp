@@ -12,6 +12,7 @@
 #include "retiarius/forces/gravity.hpp"
 #include "retiarius/motion/contact_impulses.hpp"
 #include "retiarius/motion/integrator.hpp"
+#include "retiarius/motion/stable_step.hpp"
 
 namespace retiarius {
 
@@ -76,7 +77,10 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   response_.reset();
   explicit_contact_.reset();
   if (integrator.method == Method::explicit_differences) {
-    if (!explicit_) explicit_ = std::make_unique<ExplicitStepper>(*network_);
+    if (!explicit_) {
+      explicit_ = std::make_unique<ExplicitStepper>(*network_);
+      stable_step_ = stable_explicit_step(*network_).step;
+    }
     if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
       explicit_contact_ =
           std::make_unique<ExplicitContact>(*bodies_, node_radii(*network_), contact.friction);

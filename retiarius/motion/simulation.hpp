@@ -36,9 +36,9 @@ struct StepReport {
 };
 
 // The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number
-// that brings them to integrator.substep, where given, and to nine tenths of stable_explicit_step.
-// Throws RunError beyond a thousand million.
-int explicit_substeps(const Network& network, const IntegratorSpec& integrator, double h);
+// that brings them to integrator.substep, where given, and to nine tenths of the stable step (s;
+// see stable_explicit_step). Throws RunError beyond a thousand million.
+int explicit_substeps(double stable_step, const IntegratorSpec& integrator, double h);
 
 // The state at the mission's start: the network's initial positions and velocities, bodies' initial
 // states.
@@ -115,6 +115,7 @@ class Simulation {
   std::unique_ptr<StepProblem> problem_;
   std::unique_ptr<ContactResponse> response_;
   std::unique_ptr<ExplicitStepper> explicit_;
+  double stable_step_ = 0.0;  // of the explicit integrator, s
   std::unique_ptr<ExplicitContact> explicit_contact_;
   std::vector<double> tensions_;
   bool bodies_held_ = false;

@@ -282,7 +282,7 @@ TEST(ExplicitSubsteps, AreWholeFractionsBelowTheStableStep) {
   EXPECT_EQ(report.substeps, static_cast<int>(std::ceil(1e-3 / (0.9 * stable))));
   EXPECT_EQ(report.iterations, 0);
   EXPECT_DOUBLE_EQ(report.h, 1e-3);
-  EXPECT_EQ(explicit_substeps(net, explicitly(1e-6), 1e-3), 1000);
+  EXPECT_EQ(explicit_substeps(stable_explicit_step(net).step, explicitly(1e-6), 1e-3), 1000);
 }
 
 // One spring with damping: h^2 omega^2 + 4 h omega^2 tau = 4, from the scheme's amplification -1.
@@ -308,8 +308,8 @@ TEST(ExplicitFailure, NamesNodeAndRemedy) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("has lost node"));
     EXPECT_THAT(e.what(), ::testing::HasSubstr("integrator.substep"));
   }
-  EXPECT_EQ(explicit_substeps(net, explicitly(), 1e-6), 1);
-  EXPECT_THROW(explicit_substeps(net, explicitly(1e-12), 1.0), RunError);
+  EXPECT_EQ(explicit_substeps(stable_explicit_step(net).step, explicitly(), 1e-6), 1);
+  EXPECT_THROW(explicit_substeps(stable_explicit_step(net).step, explicitly(1e-12), 1.0), RunError);
 }
 
 }  // namespace
