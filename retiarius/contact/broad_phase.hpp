@@ -1,0 +1,67 @@
+// Finds the pairs of primitives that may come near each other during a motion.
+#pragma once
+
+#include <vector>
+
+#include "retiarius/contact/box_tree.hpp"
+#include "retiarius/contact/collision_scene.hpp"
+#include "retiarius/contact/thread_neighbours.hpp"
+
+namespace retiarius {
+
+// Candidates: every pair whose boxes, swept over the motion and widened by the pair's radii and the
+// margin, overlap. So no pair is missing whose surfaces come within `margin` of each other at any t
+// in [0, 1]. Which pairs there are:
+// - thread on body: node on triangle, segment on edge; sphere's point on segment; node on plane;
+// - thread on thread (if asked for): segment on segment, without neighbours along the net;
+// - body on body: point on point, edge, triangle or plane, edge on edge; not two fixed bodies.
+// The boxes against a body stand in its axes, where its primitives' tree is built once.
+//
+// The cost is that of passing once over the net and the bodies' bounds, plus that of what is near.
+// After the first calls nothing is allocated unless there are more candidates than ever before.
+class BroadPhase {
+ public:
+  struct Options {
+    bool self = false;        // thread on thread
+    std::vector<bool> fixed;  // of each body; empty: none
+  };
+
+  // The scene and, with `self`, the neighbours must outlive this.
+  BroadPhase(const CollisionScene& scene, const ThreadNeighbours* neighbours, Options options);
+
+  // Nodes move from x by dx, bodies as given; margin >= 0, m. The pairs are in ascending order and
+  // unique, whatever the number of threads; they stand until the next call.
+  const std::vector<ContactPair>& find(const std::vector<Vec3>& x, const std::vector<Vec3>& dx,
+                                       const std::vector<BodyMotion>& bodies, double margin);
+
+  const std::vector<ContactPair>& pairs() const { return pairs_; }
+
+ private:
+  // A body's primitives, in its axes.
+  struct BodyTrees {
+    BoxTree edges, triangles;
+  };
+
+  void net_on_net(double margin);
+  void net_on_body(Index body, double margin);
+  void net_on_plane(Index body, double margin);
+  void body_on_body(Index first, Index second, double margin);
+  void points_on_surface(Index from, Index to, double margin);
+  void edges_on_edges(Index from, Index to, double margin);
+  void collect();
+
+  const CollisionScene* scene_;
+  const ThreadNeighbours* neighbours_;
+  Options options_;
+  std::vector<BodyTrees> trees_;
+  const std::vector<Vec3>*x_ = nullptr, *dx_ = nullptr;
+  const std::vector<BodyMotion>* motions_ = nullptr;
+
+  BoxTree net_tree_;
+  std::vector<Box> boxes_;                       // of segments, in world axes
+  std::vector<Box> near_boxes_;                  // of nodes, in a body's axes
+  std::vector<std::vector<ContactPair>> parts_;  // what each range of a loop found
+  std::vector<ContactPair> pairs_;
+};
+
+}  // namespace retiarius
