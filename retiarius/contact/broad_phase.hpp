@@ -32,7 +32,7 @@ class BroadPhase {
   // Nodes move from x by dx, bodies as given; margin >= 0, m. The pairs are in ascending order and
   // unique, whatever the number of threads; they stand until the next call.
   const std::vector<ContactPair>& find(const std::vector<Vec3>& x, const std::vector<Vec3>& dx,
-                                       const std::vector<BodyMotion>& bodies, double margin);
+                                       const std::vector<BodyTwist>& bodies, double margin);
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
@@ -55,7 +55,7 @@ class BroadPhase {
   Options options_;
   std::vector<BodyTrees> trees_;
   const std::vector<Vec3>*x_ = nullptr, *dx_ = nullptr;
-  const std::vector<BodyMotion>* motions_ = nullptr;
+  const std::vector<BodyTwist>* motions_ = nullptr;
 
   BoxTree net_tree_;
   std::vector<Box> boxes_;                       // of segments, in world axes

@@ -9,7 +9,7 @@ namespace retiarius {
 
 // A body's motion over t in [0, 1]: the mass centre by t translation, the attitude by the rotation
 // vector t rotation (world axes).
-struct BodyMotion {
+struct BodyTwist {
   Vec3 position = Vec3::Zero();  // at t = 0, of the mass centre
   Quat attitude = Quat::Identity();
   Vec3 translation = Vec3::Zero();  // m
@@ -17,10 +17,10 @@ struct BodyMotion {
 };
 
 // The motion between two states: the shorter of the two turns.
-BodyMotion motion_between(const BodyState& start, const BodyState& end);
+BodyTwist motion_between(const BodyState& start, const BodyState& end);
 
 // A body that stays where it is.
-BodyMotion at_rest(const BodyState& state);
+BodyTwist at_rest(const BodyState& state);
 
 // A point's motion: x(t) = anchor + t move + exp(t [turn]x) arm. A node's arm and turn are 0.
 struct PointMotion {
@@ -35,7 +35,7 @@ struct PointMotion {
 };
 
 PointMotion node_motion(const Vec3& start, const Vec3& move);
-PointMotion body_point_motion(const BodyMotion& body, const Vec3& point_in_body);
+PointMotion body_point_motion(const BodyTwist& body, const Vec3& point_in_body);
 
 // The motion of a pair's points; entries as in PairPositions.
 struct PairMotion {
