@@ -3,11 +3,19 @@
 
 namespace retiarius {
 
-enum class ContactMethod { none, modified_mass };
+enum class ContactMethod { none, modified_mass, barrier };
 
 struct ContactSpec {
   ContactMethod method = ContactMethod::none;
   double friction = 0.0;  // Coulomb coefficient, thread on body
+  bool self = false;      // thread on thread; barrier only
+
+  // Of the barrier alone.
+  double thread_friction = 0.0;      // Coulomb coefficient, thread on thread
+  double gap = 0.0;                  // range of the barrier, m; 0: the thinnest thread's radius
+  double stick_speed = 1e-3;         // slower slip has proportionally less friction, m/s
+  int friction_rounds = 10;          // most solutions of a step with revised normal forces
+  double friction_tolerance = 1e-2;  // relative change of normal forces that ends these
 };
 
 }  // namespace retiarius

@@ -1,0 +1,151 @@
+#include "retiarius/contact/barrier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/contact/advance.hpp"
+
+namespace retiarius {
+
+namespace {
+
+// Of the stiffness, see the class: the strain that is carried within the range.
+constexpr double kCarriedStrain = 1e-3;
+
+double thinnest_radius(const Network& network) {
+  double r = kInfinity;
+  for (const Segment& s : network.segments) r = std::min(r, network.materials[s.material].radius);
+  return r;
+}
+
+BroadPhase::Options broad_options(const std::vector<Body>& bodies, bool self) {
+  BroadPhase::Options options;
+  options.self = self;
+  for (const Body& b : bodies) options.fixed.push_back(b.fixed);
+  return options;
+}
+
+}  // namespace
+
+BarrierContact::BarrierContact(const Network& network, const std::vector<Body>& bodies,
+                               const ContactSpec& spec, double step)
+    : network_(&network),
+      bodies_(&bodies),
+      spec_(spec),
+      step_size_(step),
+      range_(spec.gap > 0.0 ? spec.gap : thinnest_radius(network)),
+      scene_(make_collision_scene(network, bodies)) {
+  if (spec.self) neighbours_.emplace(network);
+  broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, broad_options(bodies, spec.self));
+  for (const Material& m : network.materials)
+    axial_stiffness_ = std::max(axial_stiffness_, m.axial_stiffness);
+  still_.assign(network.mass.size(), Vec3::Zero());
+  body_places_.resize(bodies.size());
+}
+
+// Of what the primitive's points belong to; infinite for what does not move.
+double BarrierContact::mass_of(Index owner, const PointPlace* places, int count) const {
+  if (owner != kNet) {
+    const Body& body = (*bodies_)[static_cast<std::size_t>(owner)];
+    return body.fixed ? kInfinity : body.mass;
+  }
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) sum += network_->mass[places[i].point];
+  return sum;
+}
+
+double BarrierContact::stiffness(const ContactPair& pair,
+                                 const std::array<PointPlace, 4>& places) const {
+  const int first = first_count(pair.kind);
+  const double a = mass_of(pair.first_owner, places.data(), first);
+  const double b =
+      mass_of(pair.second_owner, places.data() + first, point_count(pair.kind) - first);
+  const double reduced = 1.0 / (1.0 / a + 1.0 / b);
+  return reduced / (step_size_ * step_size_) + kCarriedStrain * axial_stiffness_ / range_;
+}
+
+std::string BarrierContact::name(const ContactPair& pair) const {
+  const auto primitive = [&](Index owner, Index index, bool edge, const char* of_body) {
+    if (owner == kNet) {
+      if (!edge) return fmt::format("node {}", index);
+      const Segment& s = network_->segments[static_cast<std::size_t>(index)];
+      return fmt::format("segment {} (nodes {} and {})", index, s.a, s.b);
+    }
+    return fmt::format("{} {} of {}", of_body, index,
+                       (*bodies_)[static_cast<std::size_t>(owner)].name);
+  };
+  const bool edge = pair.kind == PairKind::edge_edge;
+  const char* second = pair.kind == PairKind::point_point      ? "point"
+                       : pair.kind == PairKind::point_triangle ? "triangle"
+                       : pair.kind == PairKind::point_plane    ? "plane"
+                                                               : "edge";
+  // A sphere's point stands first against a segment.
+  return fmt::format("{} and {}", primitive(pair.first_owner, pair.first, edge, edge ? "edge" : "point"),
+                     primitive(pair.second_owner, pair.second,
+                               edge || pair.kind == PairKind::point_edge, second));
+}
+
+void BarrierContact::begin(const Step& step) {
+  step_ = &step;
+  const State& start = *step.start;
+  const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
+  const ContactPlaces at{&start.x, &start.bodies, &turns};
+  look_ahead(at, at);
+  for (const ContactPair& pair : broad_->pairs()) {
+    const double gap = distance(pair.kind, scene_.positions(pair, start.x, start.bodies)).value -
+                       scene_.thickness(pair);
+    if (gap > 0.0) continue;
+    throw RunError(fmt::format(
+        "barrier contact starts at time {:.9g} s from a state that interpenetrates: {} by {:.3g} "
+        "m; move them apart, or take contact.method = \"modified-mass\"",
+        start.time, name(pair), -gap));
+  }
+  sliding_ = slidings(at);
+  rounds_ = 0;
+}
+
+double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces& to) {
+  const std::size_t n = from.nodes->size();
+  moves_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) moves_[i] = (*to.nodes)[i] - (*from.nodes)[i];
+  twists_.clear();
+  for (std::size_t b = 0; b < from.bodies->size(); ++b)
+    twists_.push_back(motion_between((*from.bodies)[b], (*to.bodies)[b]));
+  broad_->find(*from.nodes, moves_, twists_, range_);
+  hindered_.clear();
+  double share = 1.0;
+  for (const ContactPair& pair : broad_->pairs()) {
+    const PairMotion motion = scene_.motion(pair, *from.nodes, moves_, twists_);
+    const double free = advance(motion, scene_.thickness(pair));
+    if (free >= 1.0) continue;
+    share = std::min(share, free);
+    const std::array<PointPlace, 4> places = scene_.places(pair);
+    for (int i = 0; i < point_count(pair.kind); ++i)
+      if (places[i].owner == kNet) hindered_.push_back(places[i].point);
+  }
+  std::sort(hindered_.begin(), hindered_.end());
+  hindered_.erase(std::unique(hindered_.begin(), hindered_.end()), hindered_.end());
+  return share;
+}
+
+bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPlaces& end,
+                                    std::string& pair_name) {
+  const std::size_t n = start.nodes->size();
+  moves_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) moves_[i] = (*end.nodes)[i] - (*start.nodes)[i];
+  twists_.clear();
+  for (std::size_t b = 0; b < start.bodies->size(); ++b)
+    twists_.push_back(motion_between((*start.bodies)[b], (*end.bodies)[b]));
+  for (const ContactPair& pair : broad_->find(*start.nodes, moves_, twists_, 0.0)) {
+    const PairMotion motion = scene_.motion(pair, *start.nodes, moves_, twists_);
+    if (advance(motion, kMotionShare * scene_.thickness(pair), 1e-3) >= 1.0) continue;
+    pair_name = name(pair);
+    return false;
+  }
+  return true;
+}
+
+}  // namespace retiarius

@@ -1,0 +1,182 @@
+// Contact by barriers: threads, bodies and threads among themselves never interpenetrate.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "retiarius/base/block_matrix.hpp"
+#include "retiarius/bodies/body.hpp"
+#include "retiarius/contact/broad_phase.hpp"
+#include "retiarius/contact/collision_scene.hpp"
+#include "retiarius/contact/distance.hpp"
+#include "retiarius/contact/spec.hpp"
+#include "retiarius/net/network.hpp"
+#include "retiarius/state/step.hpp"
+
+namespace retiarius {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat36 = Eigen::Matrix<double, 3, 6>;
+
+// Where everything is at a step's end. `turn` is the rotation vector by which each body's attitude
+// differs from that of its free motion, in which its derivatives are wanted.
+struct ContactPlaces {
+  const std::vector<Vec3>* nodes = nullptr;
+  const std::vector<BodyState>* bodies = nullptr;
+  const std::vector<Vec3>* turns = nullptr;
+};
+
+// What contact writes into. Of bodies the unknowns are translation and rotation vector.
+struct ContactAssembly {
+  struct NodeBody {
+    Index node, body;
+    Mat36 block;
+  };
+  struct BodyBody {
+    Index first, second;  // first <= second; of two different bodies the transpose is implied
+    Mat6 block;
+  };
+  std::vector<Vec3>* gradient = nullptr;       // N, of each node
+  std::vector<Vec6>* body_gradient = nullptr;  // N and N m
+  BlockMatrix* hessian = nullptr;              // of the net; null: no second derivatives
+  std::vector<NodeBody>* node_body = nullptr;
+  std::vector<BodyBody>* body_body = nullptr;
+  double scale = 1.0;  // of the second derivatives
+  bool definite = false;
+};
+
+// One pair in contact, as the accounts and measures need it.
+struct PairContact {
+  ContactPair pair;
+  std::array<PointPlace, 4> places;
+  std::array<double, 4> weight{};       // of the points in the contact's place
+  Vec3 normal = Vec3::UnitZ();          // from the second primitive to the first
+  Vec3 point = Vec3::Zero();            // m, on the second primitive
+  double gap = 0.0;                     // between the surfaces, m
+  double force = 0.0;                   // normal, N, at least 0
+  std::array<Vec3, 4> point_force;      // on each point: normal force and friction, N
+  Vec3 friction = Vec3::Zero();         // on the first primitive, N
+  Vec3 slip = Vec3::Zero();             // tangential, of the first against the second, m
+};
+
+// Incremental potential contact (Li et al. 2020) with the threads' and bodies' own thickness (Li
+// et al. 2021): every pair of primitives whose surfaces are nearer than the range r has the energy
+//   E = k m(edges) b(g),   g = distance - thickness,
+// with the barrier b of barrier_function.hpp, infinite where surfaces meet, and m the weight of
+// nearly parallel edges. The stiffness is chosen by scale, k = m_red / h^2 + EA / (1000 r), with
+// the reduced mass of the two primitives: what stops a node within a step, and what carries a
+// thread strained by a thousandth, both within the range.
+//
+// Friction is Coulomb's made smooth, with normal forces and directions of the last round: those of
+// the step's start first, then, each time that the step is solved, those of the solution, until
+// they change by less than `friction_tolerance` or after `friction_rounds`.
+class BarrierContact {
+ public:
+  // step: the nominal one, s. All but `spec` must outlive this.
+  BarrierContact(const Network& network, const std::vector<Body>& bodies, const ContactSpec& spec,
+                 double step);
+
+  // Starts a step from its start state. Throws RunError, naming the pair, where anything
+  // interpenetrates there.
+  void begin(const Step& step);
+
+  // Finds what may come near on the way from `from` to `to`, and returns the share of it, in (0,
+  // 1], on which nothing comes nearer than a tenth of its present gap. All evaluations until the
+  // next call must lie on this way.
+  double look_ahead(const ContactPlaces& from, const ContactPlaces& to);
+
+  // Nodes of pairs that are too near on the last way looked along, ascending.
+  const std::vector<Index>& hindered() const { return hindered_; }
+
+  // The potential at a place, J (infinite where anything interpenetrates), with its derivatives
+  // where `out` is given.
+  double evaluate(const ContactPlaces& at, ContactAssembly* out);
+
+  // By how much forces may be wrong for rounding of the places, N, at the last evaluation.
+  double force_round_off() const { return force_round_off_; }
+
+  // Whether friction must be solved again with the normal forces of this place.
+  bool revise(const ContactPlaces& at);
+
+  // Whether the straight motion from the step's start to its end keeps every pair at least
+  // kMotionShare of its thickness apart; `pair` gets the name of one that it does not.
+  bool motion_is_free(const ContactPlaces& start, const ContactPlaces& end, std::string& pair);
+  static constexpr double kMotionShare = 0.5;
+
+  // The contacts at a place, friction by the last round's normal forces.
+  std::vector<PairContact> contacts(const ContactPlaces& at);
+
+  double range() const { return range_; }
+  const CollisionScene& scene() const { return scene_; }
+
+ private:
+  // A contact whose friction acts in this round.
+  struct Sliding {
+    ContactPair pair;
+    std::array<PointPlace, 4> places;
+    int count = 0;
+    std::array<double, 4> weight{};
+    Vec3 normal;
+    double force = 0.0;            // normal, N
+    std::array<Vec3, 4> start;     // of the points at the step's start, m
+  };
+  // Of a body at the place that is evaluated.
+  struct BodyPlace {
+    Vec3 position;
+    Mat3 attitude;
+    Mat3 turning;  // d(turn of the world) / d(rotation vector)
+    bool moves = false;
+  };
+  // A pair at the place that is evaluated.
+  struct Near {
+    PairPositions p;
+    Distance distance;
+    double gap = 0.0, stiffness = 0.0;
+    std::array<PointPlace, 4> places;
+    EdgeWeight weight;
+    bool edges = false;
+    double force = 0.0;  // normal, N
+    Vec12 gradient = Vec12::Zero();
+    double energy = 0.0, slope = 0.0, curvature = 0.0;  // of the barrier, stiffness included
+  };
+
+  double stiffness(const ContactPair& pair, const std::array<PointPlace, 4>& places) const;
+  double mass_of(Index owner, const PointPlace* places, int count) const;
+  void place_bodies(const ContactPlaces& at);
+  Vec3 world(const PointPlace& place, const ContactPlaces& at) const;
+  bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives, Near& near) const;
+  double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
+  double add_friction(const Sliding& s, const ContactPlaces& at, ContactAssembly* out) const;
+  double coefficient(const ContactPair& pair) const;
+  Vec3 slip(const Sliding& s, const ContactPlaces& at) const;
+  void scatter(const std::array<PointPlace, 4>& places, int count, const Vec12& gradient,
+               const Mat12* hessian, const ContactPlaces& at, ContactAssembly& out) const;
+  std::vector<Sliding> slidings(const ContactPlaces& at);
+  void add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
+                       const ContactPlaces& at) const;
+  std::string name(const ContactPair& pair) const;
+
+  const Network* network_;
+  const std::vector<Body>* bodies_;
+  ContactSpec spec_;
+  double step_size_, range_;
+  CollisionScene scene_;
+  std::optional<ThreadNeighbours> neighbours_;
+  std::optional<BroadPhase> broad_;
+  double axial_stiffness_ = 0.0;  // of the stiffest thread, N
+
+  const Step* step_ = nullptr;
+  std::vector<Vec3> still_;  // zero moves of the nodes
+  std::vector<Vec3> moves_;
+  std::vector<BodyTwist> twists_;
+  std::vector<Index> hindered_;
+  std::vector<BodyPlace> body_places_;
+  std::vector<Sliding> sliding_;
+  int rounds_ = 0;
+  double force_round_off_ = 0.0;
+};
+
+}  // namespace retiarius

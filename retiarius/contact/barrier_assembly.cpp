@@ -1,0 +1,163 @@
+// The potential of barrier contact and its derivatives.
+#include <algorithm>
+#include <cmath>
+
+#include "retiarius/contact/barrier.hpp"
+#include "retiarius/contact/barrier_function.hpp"
+
+namespace retiarius {
+
+namespace {
+
+// d(turn of the world) / d(rotation vector): the left Jacobian of the rotation group,
+// I + (1 - cos t)/t^2 [v]x + (t - sin t)/t^3 [v]x^2.
+Mat3 left_jacobian(const Vec3& v) {
+  const double t2 = v.squaredNorm();
+  const double t = std::sqrt(t2);
+  double a = 0.5 - t2 / 24.0, b = 1.0 / 6.0 - t2 / 120.0;
+  if (t > 1e-2) {
+    a = (1.0 - std::cos(t)) / t2;
+    b = (t - std::sin(t)) / (t2 * t);
+  }
+  const Mat3 s = skew(v);
+  return Mat3::Identity() + a * s + b * s * s;
+}
+
+}  // namespace
+
+void BarrierContact::place_bodies(const ContactPlaces& at) {
+  for (std::size_t b = 0; b < body_places_.size(); ++b) {
+    const BodyState& pose = (*at.bodies)[b];
+    BodyPlace& place = body_places_[b];
+    place.position = pose.position;
+    place.attitude = pose.attitude.toRotationMatrix();
+    place.moves = !(*bodies_)[b].fixed;
+    if (place.moves) place.turning = left_jacobian((*at.turns)[b]);
+  }
+}
+
+Vec3 BarrierContact::world(const PointPlace& place, const ContactPlaces& at) const {
+  if (place.owner == kNet) return (*at.nodes)[place.point];
+  const BodyPlace& body = body_places_[static_cast<std::size_t>(place.owner)];
+  return body.position +
+         body.attitude * scene_.bodies[static_cast<std::size_t>(place.owner)].points[place.point];
+}
+
+double BarrierContact::evaluate(const ContactPlaces& at, ContactAssembly* out) {
+  place_bodies(at);
+  force_round_off_ = 0.0;
+  double value = 0.0;
+  for (const ContactPair& pair : broad_->pairs()) value += add_barrier(pair, at, out);
+  for (const Sliding& s : sliding_) value += add_friction(s, at, out);
+  return value;
+}
+
+// Whether the pair is within the barrier's range (or interpenetrates), with what it needs then.
+bool BarrierContact::is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives,
+                             Near& near) const {
+  near.p = scene_.positions(pair, *at.nodes, *at.bodies);
+  near.distance = distance(pair.kind, near.p);
+  near.gap = near.distance.value - scene_.thickness(pair);
+  if (!(near.gap < range_)) return false;
+  near.places = scene_.places(pair);
+  near.stiffness = stiffness(pair, near.places);
+  near.edges = pair.kind == PairKind::edge_edge;
+  near.weight = {};
+  if (near.edges) {
+    const auto [first, second] = scene_.edge_lengths(pair);
+    const double threshold = edge_weight_threshold(first, second);
+    if (derivatives) {
+      near.weight = edge_weight(near.p, threshold);
+    } else {
+      near.weight.value = edge_weight_value(near.p, threshold);
+    }
+  }
+  const Jet b = barrier(near.gap, range_);
+  near.energy = near.gap > 0.0 ? near.stiffness * near.weight.value * b.value : kInfinity;
+  near.slope = near.stiffness * b.first;
+  near.curvature = near.stiffness * b.second;
+  near.force = -near.weight.value * near.slope;
+  if (derivatives)
+    near.gradient = near.weight.value * near.slope * distance_gradient(near.distance) +
+                    near.stiffness * b.value * near.weight.gradient;
+  return true;
+}
+
+double BarrierContact::add_barrier(const ContactPair& pair, const ContactPlaces& at,
+                                   ContactAssembly* out) {
+  Near near;
+  if (!is_near(pair, at, out != nullptr, near)) return 0.0;
+  if (!out || near.energy == kInfinity) return near.energy;
+  double farthest = 0.0;
+  for (int i = 0; i < point_count(pair.kind); ++i)
+    farthest = std::max(farthest, near.p[i].cwiseAbs().maxCoeff());
+  const double m = near.weight.value;
+  force_round_off_ = std::max(force_round_off_, 4.0 * std::numeric_limits<double>::epsilon() *
+                                                    farthest * m * near.curvature);
+  Mat12 hessian;
+  if (out->hessian) {
+    const Vec12 dd = distance_gradient(near.distance);
+    hessian.noalias() = (m * near.curvature) * dd * dd.transpose();
+    if (!out->definite) {
+      hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
+      if (near.edges && m < 1.0) {
+        const Mat12 cross = near.weight.gradient * dd.transpose();
+        const double b = near.stiffness * barrier(near.gap, range_).value;
+        hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
+      }
+    }
+  }
+  scatter(near.places, point_count(pair.kind), near.gradient, out->hessian ? &hessian : nullptr,
+          at, *out);
+  return near.energy;
+}
+
+// Adds a pair's derivatives in its points' coordinates to what the points belong to. A body's point
+// r from its mass centre moves by A (translation, rotation vector), A = [I, -[r]x J].
+void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
+                             const Vec12& gradient, const Mat12* hessian, const ContactPlaces& at,
+                             ContactAssembly& out) const {
+  std::array<Mat36, 4> moves;
+  std::array<Index, 4> body{kNone, kNone, kNone, kNone};
+  for (int i = 0; i < count; ++i) {
+    const Vec3 g = gradient.segment<3>(3 * i);
+    if (places[i].owner == kNet) {
+      (*out.gradient)[places[i].point] += g;
+      continue;
+    }
+    const BodyPlace& b = body_places_[static_cast<std::size_t>(places[i].owner)];
+    if (!b.moves) continue;
+    body[i] = places[i].owner;
+    const Vec3 r = world(places[i], at) - b.position;
+    moves[i] << Mat3::Identity(), -skew(r) * b.turning;
+    (*out.body_gradient)[static_cast<std::size_t>(body[i])] += moves[i].transpose() * g;
+    if (hessian && !out.definite) {
+      // Of the turning point itself, at rest: sum of g.(t x (t x r)) / 2.
+      Mat6 own = Mat6::Zero();
+      own.bottomRightCorner<3, 3>() =
+          0.5 * (g * r.transpose() + r * g.transpose()) - g.dot(r) * Mat3::Identity();
+      out.body_body->push_back({body[i], body[i], out.scale * own});
+    }
+  }
+  if (!hessian) return;
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      const Mat3 h = out.scale * hessian->block<3, 3>(3 * i, 3 * j);
+      const bool net_i = places[i].owner == kNet, net_j = places[j].owner == kNet;
+      if (net_i && net_j) {
+        const Index a = places[i].point, c = places[j].point;
+        if (a == c) {
+          out.hessian->diagonal[a] += h;
+        } else if (a > c) {
+          out.hessian->below[out.hessian->pattern->slot(a, c)] += h;
+        }
+      } else if (net_i && body[j] != kNone) {
+        out.node_body->push_back({places[i].point, body[j], h * moves[j]});
+      } else if (body[i] != kNone && body[j] != kNone && body[i] <= body[j]) {
+        out.body_body->push_back({body[i], body[j], moves[i].transpose() * h * moves[j]});
+      }
+    }
+  }
+}
+
+}  // namespace retiarius

@@ -1,0 +1,135 @@
+// Friction of barrier contact, and what its contacts did.
+#include <algorithm>
+#include <cmath>
+
+#include "retiarius/contact/barrier.hpp"
+#include "retiarius/contact/barrier_function.hpp"
+
+namespace retiarius {
+
+double BarrierContact::coefficient(const ContactPair& pair) const {
+  const bool threads = pair.first_owner == kNet && pair.second_owner == kNet;
+  return threads ? spec_.thread_friction : spec_.friction;
+}
+
+// The contacts at a place with their normal forces.
+std::vector<BarrierContact::Sliding> BarrierContact::slidings(const ContactPlaces& at) {
+  std::vector<Sliding> result;
+  const State& start = *step_->start;
+  Near near;
+  for (const ContactPair& pair : broad_->pairs()) {
+    if (coefficient(pair) == 0.0 || !is_near(pair, at, false, near)) continue;
+    Sliding s;
+    s.pair = pair;
+    s.places = near.places;
+    s.count = point_count(pair.kind);
+    s.weight = near.distance.weight;
+    s.normal = near.distance.normal;
+    s.force = near.force;
+    s.start = scene_.positions(pair, start.x, start.bodies);
+    result.push_back(s);
+  }
+  return result;
+}
+
+// The tangential displacement of the first against the second primitive over the step, m.
+Vec3 BarrierContact::slip(const Sliding& s, const ContactPlaces& at) const {
+  Vec3 u = Vec3::Zero();
+  for (int i = 0; i < s.count; ++i) u += s.weight[i] * (world(s.places[i], at) - s.start[i]);
+  return u - s.normal * s.normal.dot(u);
+}
+
+double BarrierContact::add_friction(const Sliding& s, const ContactPlaces& at,
+                                    ContactAssembly* out) const {
+  const double limit = coefficient(s.pair) * s.force;
+  const Vec3 u = slip(s, at);
+  const double size = u.norm();
+  const SlipJet f = smooth_slip(size, spec_.stick_speed * step_->h);
+  if (!out || limit == 0.0) return limit * f.value;
+  const Vec3 pull = limit * f.over * u;
+  Vec12 gradient = Vec12::Zero();
+  for (int i = 0; i < s.count; ++i) gradient.segment<3>(3 * i) = s.weight[i] * pull;
+  Mat12 hessian;
+  if (out->hessian) {
+    Mat3 h = f.over * (Mat3::Identity() - s.normal * s.normal.transpose());
+    if (size > 0.0) h += (f.second - f.over) / (size * size) * u * u.transpose();
+    hessian.setZero();
+    for (int i = 0; i < s.count; ++i)
+      for (int j = 0; j < s.count; ++j)
+        hessian.block<3, 3>(3 * i, 3 * j) = (limit * s.weight[i] * s.weight[j]) * h;
+  }
+  scatter(s.places, s.count, gradient, out->hessian ? &hessian : nullptr, at, *out);
+  return limit * f.value;
+}
+
+bool BarrierContact::revise(const ContactPlaces& at) {
+  if (spec_.friction == 0.0 && spec_.thread_friction == 0.0) return false;
+  if (++rounds_ >= spec_.friction_rounds) return false;
+  std::vector<Sliding> next = slidings(at);
+  // Both are ordered as the pairs are.
+  double change = 0.0, sum = 0.0;
+  auto old = sliding_.begin();
+  for (const Sliding& s : next) {
+    for (; old != sliding_.end() && old->pair < s.pair; ++old) change += old->force;
+    sum += s.force;
+    if (old != sliding_.end() && old->pair == s.pair) {
+      change += (s.force * s.normal - old->force * old->normal).norm();
+      ++old;
+    } else {
+      change += s.force;
+    }
+  }
+  for (; old != sliding_.end(); ++old) change += old->force;
+  if (change <= spec_.friction_tolerance * sum) return false;
+  sliding_ = std::move(next);
+  return true;
+}
+
+std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
+  place_bodies(at);
+  std::vector<PairContact> result;
+  Near near;
+  for (const ContactPair& pair : broad_->pairs()) {
+    if (!is_near(pair, at, true, near)) continue;
+    PairContact c;
+    c.pair = pair;
+    c.places = near.places;
+    c.weight = near.distance.weight;
+    c.normal = near.distance.normal;
+    c.gap = near.gap;
+    c.force = near.force;
+    for (int i = 0; i < 4; ++i) c.point_force[i] = -near.gradient.segment<3>(3 * i);
+    const int first = first_count(pair.kind);
+    for (int i = 0; i < first; ++i) c.point += near.distance.weight[i] * near.p[i];
+    c.point -= near.distance.value * near.distance.normal;
+    result.push_back(c);
+  }
+  for (const Sliding& s : sliding_) add_friction_to(result, s, at);
+  return result;
+}
+
+// To the contact of the same pair, which may have parted since friction was determined.
+void BarrierContact::add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
+                                     const ContactPlaces& at) const {
+  auto found = std::lower_bound(contacts.begin(), contacts.end(), s.pair,
+                                [](const PairContact& c, const ContactPair& p) { return c.pair < p; });
+  if (found == contacts.end() || found->pair != s.pair) {
+    PairContact parted;
+    parted.pair = s.pair;
+    parted.places = s.places;
+    parted.weight = s.weight;
+    parted.normal = s.normal;
+    parted.gap = range_;
+    parted.point_force.fill(Vec3::Zero());
+    for (int i = 0; i < first_count(s.pair.kind); ++i)
+      parted.point += s.weight[i] * world(s.places[i], at);
+    found = contacts.insert(found, parted);
+  }
+  const double limit = coefficient(s.pair) * s.force;
+  found->slip = slip(s, at);
+  found->friction =
+      -limit * smooth_slip(found->slip.norm(), spec_.stick_speed * step_->h).over * found->slip;
+  for (int i = 0; i < s.count; ++i) found->point_force[i] += s.weight[i] * found->friction;
+}
+
+}  // namespace retiarius

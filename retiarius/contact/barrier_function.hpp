@@ -1,0 +1,25 @@
+// The scalar functions of barrier contact: the barrier over the gap, friction over the slip.
+#pragma once
+
+namespace retiarius {
+
+// A function's value with its first and second derivative.
+struct Jet {
+  double value = 0.0, first = 0.0, second = 0.0;
+};
+
+// The barrier of Li et al. (2020, Eq. 6) over the gap g between surfaces, of range r:
+//   b = -(g - r)^2 ln(g / r) for 0 < g < r, 0 beyond; infinite where g <= 0. In m2.
+// It begins smoothly (b, b', b'' are 0 at g = r) and times a stiffness in N/m is an energy.
+Jet barrier(double gap, double range);
+
+// Coulomb's friction made smooth (Li et al. 2020, Eq. 13): the integral over the slip u >= 0 of
+//   f1(u) = 2 u/s - (u/s)^2 for u < s, 1 beyond,
+// in m; times the normal force and the coefficient it is a potential. `first` is f1(u); `over` is
+// f1(u) / u, finite at u = 0.
+struct SlipJet {
+  double value = 0.0, first = 0.0, second = 0.0, over = 0.0;
+};
+SlipJet smooth_slip(double slip, double smallest);
+
+}  // namespace retiarius
