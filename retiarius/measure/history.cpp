@@ -70,6 +70,8 @@ const std::vector<HistoryColumn>& history_columns() {
        distance_or_nan},
       {"newton_iterations", "1", "Newton iterations since the mission's start",
        [](const Row& r) { return static_cast<double>(r.newton_iterations); }},
+      {"step_size", "s", "length of the last step; 0 before the first",
+       [](const Row& r) { return r.step_size; }},
   };
   return columns;
 }

@@ -69,6 +69,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   phase_.see_step(state.time, report.iterations, tension, touching);
   ++steps_;
   iterations_ += report.iterations;
+  step_size_ = report.h;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);
 }
@@ -145,6 +146,7 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
   r.contacts = static_cast<Index>(state.touches.size());
   r.smallest_distance = readings_.smallest_distance;
   r.newton_iterations = iterations_;
+  r.step_size = step_size_;
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;
 }

@@ -130,7 +130,7 @@ void check_output(const Mission& mission, const Places& places) {
   }
   for (std::size_t i = 0; i < mission.phases.size(); ++i) {
     const IntegratorSpec& integrator = mission.phases[i].integrator;
-    if (integrator.method == Method::static_solve) continue;
+    if (integrator.method == Method::static_solve || integrator.adaptive) continue;
     if (is_multiple(output.interval, integrator.step)) continue;
     const std::string own = fmt::format("phase[{}].integrator.step", i);
     const std::string path = places.has(own) ? own : "integrator.step";

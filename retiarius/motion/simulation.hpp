@@ -28,6 +28,9 @@ struct StepReport {
   double h = 0.0;      // s
   int iterations = 0;  // Newton's, those of failed attempts included
   int halvings = 0;    // before the step was accepted
+  int rejections = 0;  // of adaptive steps whose error was too large
+  // Local error that an adaptive step expects to have made, over integrator.accuracy.
+  double error = 0.0;
   int factorisations = 0;
   int projections = 0;  // of the Hessian
 };
@@ -52,7 +55,8 @@ class Simulation {
   void hold_bodies(bool held) { bodies_held_ = held; }
   bool bodies_held() const { return bodies_held_; }
 
-  // One accepted step towards time `end` (s); shorter where the whole did not converge. Throws
+  // One accepted step towards time `end` (s); shorter where the whole did not converge, or where
+  // the step is adaptive and the whole would be too inaccurate. Throws
   // RunError naming time, node and cause where no step of the smallest allowed length converges;
   // the state is then still the last accepted one.
   StepReport advance(double end, const PrescribedMotion& motion);
@@ -80,9 +84,23 @@ class Simulation {
 
  private:
   void add_law(std::unique_ptr<Law> law);
+  StepReport advance_fixed(double end, const PrescribedMotion& motion);
+  StepReport advance_adaptive(double end, const PrescribedMotion& motion);
   bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
                 std::string& failure);
-  std::vector<Vec3> start_acceleration();
+  bool try_one_stage(double end, const PrescribedMotion& motion, StepReport& report,
+                     std::string& failure);
+  bool try_two_stages(double end, const PrescribedMotion& motion, StepReport& report,
+                      std::string& failure);
+  bool solve_stage(const Step& step, std::vector<Vec3> predicted, double end,
+                   const PrescribedMotion& motion, StepReport& report, std::string& failure);
+  void start_up();
+  void follow_paths(const std::vector<Prescribed>& prescribed, const Step& step,
+                    std::vector<Vec3>& drift, std::vector<Vec3>& predicted) const;
+  void forget_acceleration() { state_.memory.acceleration.clear(); }
+  void remember_acceleration(double h);
+  double local_error(std::vector<Vec3> error) const;
+  std::vector<Vec3> start_acceleration(Exchange& outside);
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
   bool reuses_factors() const;
@@ -105,6 +123,12 @@ class Simulation {
   std::unique_ptr<StepProblem> problem_;
   std::unique_ptr<ContactResponse> response_;
   std::vector<double> tensions_;
+  // Of the last stage: what the laws alone changed of each node's velocity, m/s; what their outside
+  // forces exchanged, as they state it; and what of earlier ones acts on the next stage.
+  std::vector<Vec3> law_change_;
+  Exchange exchange_, carried_;
+  double local_error_ = 0.0;  // of the last adaptive step, over the median rest length
+  bool configured_ = false;
   bool bodies_held_ = false;
   double length_scale_ = 0.0;  // median rest length, m
 };

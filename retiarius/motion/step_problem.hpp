@@ -73,6 +73,9 @@ class StepProblem final : public NewtonProblem {
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
+  // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
+  // stay where they are.
+  void filter(std::vector<Vec3>& x) const;
 
  private:
   // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes

@@ -62,6 +62,7 @@ inline ContactSpec touching(double friction = 0.0) {
   return {ContactMethod::modified_mass, friction};
 }
 
-inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint};
+inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
+                                Method::generalised_alpha, Method::tr_bdf2};
 
 }  // namespace retiarius::testing
