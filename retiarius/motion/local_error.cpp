@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSafety = 0.9;
 constexpr double kMostGrowth = 2.0;
+constexpr double kLeastGrowth = 1.02;  // also of an acceleration that is never forgotten
 constexpr double kMostShrinkage = 0.2;
 
 std::vector<Vec3> combined(double c_a, const std::vector<Vec3>& a, double c_b,
@@ -45,9 +46,17 @@ std::vector<Vec3> two_stage_error(double h, const std::vector<Vec3>& first,
 
 int local_order(Method method) { return method == Method::implicit_euler ? 2 : 3; }
 
-double fitting_step(double h, double ratio, int order) {
-  if (ratio <= 0.0) return kMostGrowth * h;
-  return h * std::clamp(kSafety * std::pow(ratio, -1.0 / order), kMostShrinkage, kMostGrowth);
+double most_growth(const IntegratorSpec& integrator) {
+  if (integrator.method != Method::generalised_alpha) return kMostGrowth;
+  const double alpha_m = generalised_alpha(integrator.rho).alpha_m;
+  if (alpha_m == 0.0) return kMostGrowth;
+  const double kept = std::abs(alpha_m) / (1.0 - alpha_m);
+  return std::clamp(0.98 / std::sqrt(kept), kLeastGrowth, kMostGrowth);
+}
+
+double fitting_step(double h, double ratio, int order, double growth) {
+  if (ratio <= 0.0) return growth * h;
+  return h * std::clamp(kSafety * std::pow(ratio, -1.0 / order), kMostShrinkage, growth);
 }
 
 bool at_kink(double before, double ratio_before, double h, double ratio, int order) {

@@ -27,9 +27,15 @@ std::vector<Vec3> two_stage_error(double h, const std::vector<Vec3>& first,
 // Power of h that the local error goes with.
 int local_order(Method method);
 
+// The largest growth from one step to the next. Generalised alpha carries accelerations whose
+// fastest part changes sign and keeps the share alpha_m / (1 - alpha_m) in each step, while their
+// effect goes with h^2: where steps grow faster than the square root of its inverse (1.17 for rho =
+// 0.9) a snap's acceleration is amplified instead of forgotten. 2 for the others.
+double most_growth(const IntegratorSpec& integrator);
+
 // The step that would have made the error 0.9^order of what is allowed, where one of length h (s)
-// made `ratio` of that; at most twice and at least a fifth of h.
-double fitting_step(double h, double ratio, int order);
+// made `ratio` of that; at most `growth` times and at least a fifth of h.
+double fitting_step(double h, double ratio, int order, double growth);
 
 // Whether a step that was shortened from `before` to h has not gained what a smooth motion would
 // give it, on a logarithmic scale at least half: then something snapped or touched in it, and

@@ -132,7 +132,8 @@ std::vector<BodyState> Simulation::free_bodies(double h) const {
   return result;
 }
 
-bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted, double end,
+bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
+                             const std::vector<Vec3>& past_change, double end,
                              const PrescribedMotion& motion, StepReport& report,
                              std::string& failure) {
   const std::vector<Prescribed> prescribed = motion ? motion(end) : std::vector<Prescribed>{};
@@ -163,7 +164,7 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted, doub
     failure = result.failure;
     return false;
   }
-  accept(step, prescribed, end);
+  accept(step, prescribed, past_change, end);
   return true;
 }
 
@@ -203,7 +204,8 @@ StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion)
 }
 
 // Turns the solved stage into the next state and books what the step exchanged.
-void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed, double end) {
+void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
+                        const std::vector<Vec3>& past_change, double end) {
   const State old = state_;
   Step done = step;
   done.start = &old;
@@ -221,15 +223,19 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   State& now = state_;
   now.x = problem_->end_positions();
   now.bodies = problem_->end_bodies();
-  // The velocity from the positions, less what Newton's tolerance left as residual: linear
+  // The velocity that goes with the positions, less what Newton's tolerance left as residual: linear
   // momentum is then kept to round-off whatever the tolerance.
   const double weight = step.reaction_impulse();
   std::vector<Vec3> residual = g;
+  const std::vector<Vec3>& predicted = problem_->predicted();
   law_change_.resize(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
-    const Vec3 w = done.stage_velocity(static_cast<Index>(i), y[i]);
-    now.v[i] = old.v[i] + step.reach * (w - old.v[i]);
-    law_change_[i] = now.v[i] - old.v[i] - weight / network_->mass[i] * g[i];
+    // reach (w - v0), which at the predicted stage is what forces of the past still give. Written
+    // so, the rounding of positions does not reach the momentum.
+    Vec3 change = step.rate * step.reach * (y[i] - predicted[i]);
+    if (!past_change.empty()) change += past_change[i];
+    now.v[i] = old.v[i] + change;
+    law_change_[i] = change - weight / network_->mass[i] * g[i];
   }
   for (std::size_t k = 0; k < friction.size(); ++k) {
     const Constraint& c = problem_->constraints()[k];
@@ -271,16 +277,10 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
 void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
                                  const State& old) {
   const std::vector<Vec3>& y = problem_->stage();
-  const std::vector<Vec3>& g = problem_->gradient();
-  const double weight = step.reaction_impulse();
   for (const Prescribed& p : prescribed) {
     const Index i = p.node;
     const double m = network_->mass[i];
-    // Impulse of the laws alone: what the integrator's velocity has, less the support's share.
-    const Vec3 w = step.stage_velocity(i, y[i]);
-    const Vec3 kinematic = old.v[i] + step.reach * (w - old.v[i]);
-    const Vec3 of_laws = m * (kinematic - old.v[i]) - weight * g[i];
-    const Vec3 support = m * (p.velocity - old.v[i]) - of_laws;
+    const Vec3 support = m * (p.velocity - old.v[i] - law_change_[i]);
     state_.x[i] = p.position;
     state_.v[i] = p.velocity;
     state_.support[i] = support / step.h;

@@ -92,8 +92,10 @@ class Simulation {
                      std::string& failure);
   bool try_two_stages(double end, const PrescribedMotion& motion, StepReport& report,
                       std::string& failure);
-  bool solve_stage(const Step& step, std::vector<Vec3> predicted, double end,
-                   const PrescribedMotion& motion, StepReport& report, std::string& failure);
+  // past_change: of each node's velocity by forces of the past alone, m/s; empty: none.
+  bool solve_stage(const Step& step, std::vector<Vec3> predicted,
+                   const std::vector<Vec3>& past_change, double end, const PrescribedMotion& motion,
+                   StepReport& report, std::string& failure);
   void start_up();
   void follow_paths(const std::vector<Prescribed>& prescribed, const Step& step,
                     std::vector<Vec3>& drift, std::vector<Vec3>& predicted) const;
@@ -105,7 +107,8 @@ class Simulation {
   double round_off_step() const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
-  void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
+  void accept(const Step& step, const std::vector<Prescribed>& prescribed,
+              const std::vector<Vec3>& past_change, double end);
   void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
                        const State& old);
 

@@ -26,6 +26,7 @@ double Simulation::local_error(std::vector<Vec3> error) const {
 
 StepReport Simulation::advance_adaptive(double end, const PrescribedMotion& motion) {
   const int order = local_order(integrator_.method);
+  const double growth = most_growth(integrator_);
   const double largest = integrator_.step;
   const double smallest = std::min(
       largest, integrator_.min_step > 0.0 ? integrator_.min_step : kSmallestShare * largest);
@@ -50,7 +51,7 @@ StepReport Simulation::advance_adaptive(double end, const PrescribedMotion& moti
                       at_kink(last_h, last_ratio, step.h, total.error, order);
     const bool shortest = step.h <= 1.0001 * smallest;
     if (good || kink || shortest || total.rejections == kMostRejections) {
-      double next = fitting_step(step.h, total.error, order);
+      double next = fitting_step(step.h, total.error, order, growth);
       if (total.rejections > 0 || step.halvings > 0) next = std::min(next, step.h);
       // A kink says nothing of the motion after it, a step cut by `end` nothing of longer ones.
       if (kink) next = step.h;
@@ -60,7 +61,7 @@ StepReport Simulation::advance_adaptive(double end, const PrescribedMotion& moti
     }
     last_h = step.h;
     last_ratio = total.error;
-    wanted = std::max(smallest, fitting_step(step.h, total.error, order));
+    wanted = std::max(smallest, fitting_step(step.h, total.error, order, growth));
     ++total.rejections;
     state_ = before;
     tensions_ = tensions;

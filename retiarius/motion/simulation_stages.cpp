@@ -5,6 +5,15 @@
 
 namespace retiarius {
 
+namespace {
+
+std::vector<Vec3> times(double factor, std::vector<Vec3> x) {
+  for (Vec3& v : x) v *= factor;
+  return x;
+}
+
+}  // namespace
+
 // By the laws at the start of the step; with the outside forces and their moment, as impulses of
 // one second.
 std::vector<Vec3> Simulation::start_acceleration(Exchange& outside) {
@@ -51,22 +60,26 @@ bool Simulation::try_one_stage(double end, const PrescribedMotion& motion, StepR
   const double h = end - state_.time;
   Step step = make_step(method, state_, h, integrator_.rho);
   std::vector<Vec3> acceleration, drift;
+  double past = method == Method::newmark ? 0.5 * h : 0.0;  // s, of the start's acceleration
   if (method == Method::generalised_alpha) {
     start_up();
     acceleration = state_.memory.acceleration;
     drift = alpha_drift(integrator_.rho, step, acceleration);
     step.drift = &drift;
     const GeneralisedAlpha a = generalised_alpha(integrator_.rho);
-    const double later = h * (1.0 - a.gamma / (1.0 - a.alpha_m));
-    carried_.outside_impulse = later * state_.memory.outside_force;
-    carried_.outside_angular_impulse = later * state_.memory.outside_moment;
+    past = h * (1.0 - a.gamma / (1.0 - a.alpha_m));
+    carried_.outside_impulse = past * state_.memory.outside_force;
+    carried_.outside_angular_impulse = past * state_.memory.outside_moment;
   } else if (method == Method::newmark || integrator_.adaptive) {
     Exchange unused;
     acceleration = start_acceleration(unused);
   }
   std::vector<Vec3> predicted = predicted_stage(method, step, acceleration, integrator_.rho);
   if (step.drift && motion) follow_paths(motion(end), step, drift, predicted);
-  if (!solve_stage(step, std::move(predicted), end, motion, report, failure)) return false;
+  std::vector<Vec3> past_change;
+  if (past != 0.0) past_change = times(past, acceleration);
+  if (!solve_stage(step, std::move(predicted), past_change, end, motion, report, failure))
+    return false;
   if (method == Method::generalised_alpha) {
     remember_acceleration(h);
   } else {
@@ -99,8 +112,10 @@ bool Simulation::try_two_stages(double end, const PrescribedMotion& motion, Step
   const double h = end - before.time;
   const Step first = make_step(Method::tr_bdf2, state_, h);
   Exchange unused;
-  std::vector<Vec3> predicted = predicted_stage(Method::tr_bdf2, first, start_acceleration(unused));
-  if (!solve_stage(first, std::move(predicted), before.time + first.h, motion, report, failure))
+  const std::vector<Vec3> acceleration = start_acceleration(unused);
+  std::vector<Vec3> predicted = predicted_stage(Method::tr_bdf2, first, acceleration);
+  if (!solve_stage(first, std::move(predicted), times(0.5 * first.h, acceleration),
+                   before.time + first.h, motion, report, failure))
     return false;
   carried_.outside_impulse = tr_bdf2::kRepeat * exchange_.outside_impulse;
   carried_.outside_angular_impulse = tr_bdf2::kRepeat * exchange_.outside_angular_impulse;
@@ -112,7 +127,8 @@ bool Simulation::try_two_stages(double end, const PrescribedMotion& motion, Step
     for (const Prescribed& p : motion(state_.time)) moved[p.node] = p.velocity - before.v[p.node];
   Bdf2Step second;
   make_bdf2_step(state_, h, change, moved, second);
-  if (!solve_stage(second.step, std::move(second.predicted), end, motion, report, failure)) {
+  if (!solve_stage(second.step, std::move(second.predicted), times(tr_bdf2::kRepeat, change), end,
+                   motion, report, failure)) {
     state_ = before;
     return false;
   }

@@ -62,6 +62,7 @@ class StepProblem final : public NewtonProblem {
   bool revise(bool full) override;
 
   const std::vector<Vec3>& stage() const { return y_; }
+  const std::vector<Vec3>& predicted() const { return start_.predicted; }
   std::vector<Vec3> end_positions() const;
   std::vector<BodyState> end_bodies() const;
   // Gradient: at blocked directions the force of the constraint on the node, elsewhere what the
