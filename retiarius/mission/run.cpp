@@ -268,8 +268,7 @@ bool MissionLoop::moves(const Phase& phase) const {
 void MissionLoop::advance(Phase& phase) {
   const double now = simulation_.state().time;
   const bool adaptive = phase.spec->integrator.adaptive;
-  double end = next_on_grid(
-      now, adaptive ? mission_.output.interval : phase.spec->integrator.step);
+  double end = next_on_grid(now, adaptive ? mission_.output.interval : phase.spec->integrator.step);
   if (const auto latest = phase.trigger.latest_time(phase_start_);
       adaptive && latest && *latest > now + kSameTime)
     end = std::min(end, *latest);

@@ -35,7 +35,8 @@ const Table<IntegratorSpec>& integrator_table() {
            "h; divides output.interval. Adaptive: the largest, which need not divide it")
            .above(0),
        key("rho", &IntegratorSpec::rho, "",
-           "spectral radius of generalised alpha at infinite frequency: 1 damps nothing, 0 all that "
+           "spectral radius of generalised alpha at infinite frequency: 1 damps nothing, 0 all "
+           "that "
            "is not resolved")
            .at_least(0)
            .up_to(1),
@@ -106,13 +107,14 @@ const Table<ProbeSpec>& probe_table() {
 }
 
 const Table<OutputSpec>& output_table() {
-  static const Table<OutputSpec> table({"output", "When results are written.", "", false, {}},
-                                       {key("interval", &OutputSpec::interval, "s",
-                                            "between rows of the history; a multiple of the step unless that is adaptive")
-                                            .above(0),
-                                        key("frame_interval", &OutputSpec::frame_interval, "s",
-                                            "between frames; a multiple of interval")
-                                            .above(0)});
+  static const Table<OutputSpec> table(
+      {"output", "When results are written.", "", false, {}},
+      {key("interval", &OutputSpec::interval, "s",
+           "between rows of the history; a multiple of the step unless that is adaptive")
+           .above(0),
+       key("frame_interval", &OutputSpec::frame_interval, "s",
+           "between frames; a multiple of interval")
+           .above(0)});
   return table;
 }
 

@@ -49,8 +49,7 @@ namespace tr_bdf2 {
 // Share of the step that the first stage takes: 2 - sqrt 2 makes the matrices of both stages one.
 inline constexpr double kGamma = 0.58578643762690495;
 // What the second stage repeats of the first one's change: (1 - gamma)^2 / (gamma (2 - gamma)).
-inline constexpr double kRepeat =
-    (1.0 - kGamma) * (1.0 - kGamma) / (kGamma * (2.0 - kGamma));
+inline constexpr double kRepeat = (1.0 - kGamma) * (1.0 - kGamma) / (kGamma * (2.0 - kGamma));
 
 }  // namespace tr_bdf2
 

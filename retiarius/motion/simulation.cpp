@@ -223,8 +223,8 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   State& now = state_;
   now.x = problem_->end_positions();
   now.bodies = problem_->end_bodies();
-  // The velocity that goes with the positions, less what Newton's tolerance left as residual: linear
-  // momentum is then kept to round-off whatever the tolerance.
+  // The velocity that goes with the positions, less what Newton's tolerance left as residual:
+  // linear momentum is then kept to round-off whatever the tolerance.
   const double weight = step.reaction_impulse();
   std::vector<Vec3> residual = g;
   const std::vector<Vec3>& predicted = problem_->predicted();

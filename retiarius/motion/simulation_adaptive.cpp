@@ -47,8 +47,8 @@ StepReport Simulation::advance_adaptive(double end, const PrescribedMotion& moti
     total.halvings += step.halvings;
     total.error = local_error_ / integrator_.accuracy;
     const bool good = total.error <= 1.0;
-    const bool kink = !good && total.rejections > 0 &&
-                      at_kink(last_h, last_ratio, step.h, total.error, order);
+    const bool kink =
+        !good && total.rejections > 0 && at_kink(last_h, last_ratio, step.h, total.error, order);
     const bool shortest = step.h <= 1.0001 * smallest;
     if (good || kink || shortest || total.rejections == kMostRejections) {
       double next = fitting_step(step.h, total.error, order, growth);

@@ -3,14 +3,7 @@
 
 namespace retiarius {
 
-enum class Method {
-  implicit_euler,
-  newmark,
-  midpoint,
-  generalised_alpha,
-  tr_bdf2,
-  static_solve
-};
+enum class Method { implicit_euler, newmark, midpoint, generalised_alpha, tr_bdf2, static_solve };
 
 // How a step's equations are solved: with a new factorisation for every iteration (direct), or with
 // one kept while it serves (reuse). automatic: reuse where all threads carry compression.

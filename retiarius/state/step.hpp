@@ -28,8 +28,8 @@ struct Step {
   double rate = 0.0;             // 1/s: the stage velocity is w = rate (y - x0) - carry v0 + drift
   double carry = 0.0;
   const std::vector<Vec3>* drift = nullptr;  // of each node, m/s; null: none
-  double inertia = 0.0;  // 1/s2: the stage balances inertia m (y - predicted)
-  double reach = 1.0;    // x1 = x0 + reach (y - x0)
+  double inertia = 0.0;                      // 1/s2: the stage balances inertia m (y - predicted)
+  double reach = 1.0;                        // x1 = x0 + reach (y - x0)
   StrainRate strain_rate = StrainRate::backward;
 
   Vec3 stage_velocity(Index i, const Vec3& y) const {

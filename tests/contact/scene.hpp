@@ -63,6 +63,6 @@ inline ContactSpec touching(double friction = 0.0) {
 }
 
 inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
-                                Method::generalised_alpha, Method::tr_bdf2};
+                                      Method::generalised_alpha, Method::tr_bdf2};
 
 }  // namespace retiarius::testing

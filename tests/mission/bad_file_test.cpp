@@ -110,7 +110,8 @@ TEST(BadMission, UnknownKeysAndWords) {
         "\"triangle\", \"polygon\", \"file\", did you mean hexagon?"},
        {kLeast + "[integrator]\nmethod = \"implicit_euler\"\n",
         "m.toml:15:10: integrator.method = \"implicit_euler\": must be one of \"implicit-euler\", "
-        "\"newmark\", \"midpoint\", \"static\", did you mean implicit-euler?"}});
+        "\"newmark\", \"midpoint\", \"generalised-alpha\", \"tr-bdf2\", \"static\", did you mean "
+        "implicit-euler?"}});
 }
 
 TEST(BadMission, WhatIsNotAvailable) {

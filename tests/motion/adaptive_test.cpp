@@ -154,7 +154,9 @@ Network folded() {
   return net;
 }
 
-// Fixed steps that reach the same error as the adaptive ones need more of them.
+// As many fixed steps as the adaptive run took, rejected ones included, leave a larger error: those
+// that reach the same need more. Generalised alpha is left out: on threads that snap it makes
+// energy with steps that change.
 TEST(Adaptive, NeedsFewerStepsThanFixedOnesOnAShotWithSnaps) {
   const Network net = folded();
   const PrescribedMotion held = hold(net.initial, {0});
@@ -162,8 +164,7 @@ TEST(Adaptive, NeedsFewerStepsThanFixedOnesOnAShotWithSnaps) {
   Simulation exact(net, kNoBodies, initial_state(net, kNoBodies));
   exact.configure({}, fixed(Method::midpoint), {});
   run(exact, 5e-6, 90000, held);
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::generalised_alpha,
-                        Method::tr_bdf2}) {
+  for (Method method : {Method::implicit_euler, Method::newmark, Method::tr_bdf2}) {
     Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
     sim.configure({}, adaptive(method, 1e-3, 0.02), {});
     int steps = 0, rejected = 0;

@@ -11,7 +11,7 @@ namespace {
 using namespace retiarius::testing;
 
 constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
-                                Method::generalised_alpha, Method::tr_bdf2};
+                               Method::generalised_alpha, Method::tr_bdf2};
 const std::vector<Body> kNoBodies;
 
 struct Problem {

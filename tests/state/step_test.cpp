@@ -57,8 +57,7 @@ TEST(Step, GeneralisedAlphaIsExactForAConstantForce) {
     Step step = make_step(Method::generalised_alpha, start, h, rho);
     const std::vector<Vec3> drift = alpha_drift(rho, step, {a});
     step.drift = &drift;
-    const Vec3 y =
-        predicted_stage(Method::generalised_alpha, step, {a}, rho)[0] + a / step.inertia;
+    const Vec3 y = predicted_stage(Method::generalised_alpha, step, {a}, rho)[0] + a / step.inertia;
     const Vec3 x1 = start.x[0] + step.reach * (y - start.x[0]);
     const Vec3 v1 = start.v[0] + step.reach * (step.stage_velocity(0, y) - start.v[0]);
     EXPECT_NEAR((x1 - start.x[0] - h * start.v[0] - 0.5 * h * h * a).norm(), 0.0, 1e-14) << rho;

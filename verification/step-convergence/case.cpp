@@ -99,7 +99,8 @@ void compare(Context& context, const Problem& p) {
   chart.y_label = "largest error of a node / m";
   chart.log_x = chart.log_y = true;
   const int levels = context.quick() ? 4 : 6;
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint}) {
+  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint,
+                        Method::generalised_alpha, Method::tr_bdf2}) {
     const bool first = method == Method::implicit_euler;
     Curve curve{to_string(method), {}, {}, CurveStyle::line};
     std::vector<std::vector<Vec3>> ends;
