@@ -30,6 +30,19 @@ std::vector<double> node_radii(const Network& network) {
   return radius;
 }
 
+// Books what the laws exchanged. Of outside impulses, `exchange` becomes what acts in this step:
+// its own part and what is carried from before.
+void book(const Step& step, const Exchange& carried, Exchange& exchange, Account& account) {
+  const double share = step.remembers() ? step.reaction_impulse() / step.h : 1.0;
+  exchange.outside_impulse = share * exchange.outside_impulse + carried.outside_impulse;
+  exchange.outside_angular_impulse =
+      share * exchange.outside_angular_impulse + carried.outside_angular_impulse;
+  account.material_loss += exchange.material_loss;
+  account.environment_loss += exchange.environment_loss;
+  account.outside_impulse += exchange.outside_impulse;
+  account.outside_angular_impulse += exchange.outside_angular_impulse;
+}
+
 }  // namespace
 
 State initial_state(const Network& network, const std::vector<Body>& bodies) {
@@ -252,14 +265,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   }
   Exchange exchange;
   for (const auto& law : laws_) law->account(done, y, now.x, exchange);
-  now.account.material_loss += exchange.material_loss;
-  now.account.environment_loss += exchange.environment_loss;
-  const double share = step.remembers() ? weight / step.h : 1.0;
-  exchange.outside_impulse = share * exchange.outside_impulse + carried_.outside_impulse;
-  exchange.outside_angular_impulse =
-      share * exchange.outside_angular_impulse + carried_.outside_angular_impulse;
-  now.account.outside_impulse += exchange.outside_impulse;
-  now.account.outside_angular_impulse += exchange.outside_angular_impulse;
+  book(done, carried_, exchange, now.account);
   exchange_ = exchange;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     if ((*bodies_)[b].fixed || bodies_held_) continue;

@@ -98,7 +98,7 @@ Expansion expansion(Method method) {
             1e-8,
             1e-10,
             "the error's next term, of third order, moves it by less than a per cent",
-            "of fourth order, and below 1e-10 of the reach at the last three steps"};
+            "of fourth order, but for Newton's tolerance of 1e-11"};
   return {};
 }
 
