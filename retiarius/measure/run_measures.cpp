@@ -71,6 +71,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   ++steps_;
   iterations_ += report.iterations;
   substeps_ += report.substeps;
+  step_size_ = report.h;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);
 }
@@ -151,6 +152,7 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
     const auto capture = measure_capture(bodies_->front(), state.bodies.front(), state.x);
     if (capture) r.captured_share = capture->share;
   }
+  r.step_size = step_size_;
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;
 }
