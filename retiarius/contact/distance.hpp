@@ -41,6 +41,10 @@ Vec12 distance_gradient(const Distance& at);
 // the feature has two free parameters.
 Mat12 distance_hessian(const Distance& at, const PairPositions& p);
 
+// dn/dt where the points move with these velocities, per unit of their time; across n. Not finite
+// where d = 0 and the feature has fewer than two free parameters.
+Vec3 normal_rate(const Distance& at, const PairPositions& p, const PairPositions& velocity);
+
 // The weight of a pair of edges that is 1 unless they are nearly parallel, where it falls to 0
 // smoothly, so that a barrier weighted with it has a continuous gradient (Li et al. 2020, Eq. 24):
 // m = c/e (2 - c/e) for c = |a x b|^2 < e, with a = p1 - p0, b = p3 - p2.
