@@ -83,9 +83,9 @@ std::string BarrierContact::name(const ContactPair& pair) const {
                        : pair.kind == PairKind::point_plane    ? "plane"
                                                                : "edge";
   // A sphere's point stands first against a segment.
-  return fmt::format("{} and {}", primitive(pair.first_owner, pair.first, edge, edge ? "edge" : "point"),
-                     primitive(pair.second_owner, pair.second,
-                               edge || pair.kind == PairKind::point_edge, second));
+  return fmt::format(
+      "{} and {}", primitive(pair.first_owner, pair.first, edge, edge ? "edge" : "point"),
+      primitive(pair.second_owner, pair.second, edge || pair.kind == PairKind::point_edge, second));
 }
 
 void BarrierContact::begin(const Step& step) {

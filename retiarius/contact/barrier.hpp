@@ -52,14 +52,16 @@ struct ContactAssembly {
 struct PairContact {
   ContactPair pair;
   std::array<PointPlace, 4> places;
-  std::array<double, 4> weight{};       // of the points in the contact's place
-  Vec3 normal = Vec3::UnitZ();          // from the second primitive to the first
-  Vec3 point = Vec3::Zero();            // m, on the second primitive
-  double gap = 0.0;                     // between the surfaces, m
-  double force = 0.0;                   // normal, N, at least 0
-  std::array<Vec3, 4> point_force;      // on each point: normal force and friction, N
-  Vec3 friction = Vec3::Zero();         // on the first primitive, N
-  Vec3 slip = Vec3::Zero();             // tangential, of the first against the second, m
+  std::array<Vec3, 4> place;        // of the points, m
+  std::array<double, 4> weight{};   // of the points in the contact's place
+  Vec3 normal = Vec3::UnitZ();      // from the second primitive to the first
+  Vec3 point = Vec3::Zero();        // m, on the second primitive
+  double gap = 0.0;                 // between the surfaces, m
+  double force = 0.0;               // normal, N, at least 0
+  double energy = 0.0;              // of the barrier, J
+  std::array<Vec3, 4> point_force;  // on each point: normal force and friction, N
+  Vec3 friction = Vec3::Zero();     // on the first primitive, N
+  Vec3 slip = Vec3::Zero();         // tangential, of the first against the second, m
 };
 
 // Incremental potential contact (Li et al. 2020) with the threads' and bodies' own thickness (Li
@@ -120,8 +122,8 @@ class BarrierContact {
     int count = 0;
     std::array<double, 4> weight{};
     Vec3 normal;
-    double force = 0.0;            // normal, N
-    std::array<Vec3, 4> start;     // of the points at the step's start, m
+    double force = 0.0;         // normal, N
+    std::array<Vec3, 4> start;  // of the points at the step's start, m
   };
   // Of a body at the place that is evaluated.
   struct BodyPlace {
@@ -147,7 +149,8 @@ class BarrierContact {
   double mass_of(Index owner, const PointPlace* places, int count) const;
   void place_bodies(const ContactPlaces& at);
   Vec3 world(const PointPlace& place, const ContactPlaces& at) const;
-  bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives, Near& near) const;
+  bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives,
+               Near& near) const;
   double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
   double add_friction(const Sliding& s, const ContactPlaces& at, ContactAssembly* out) const;
   double coefficient(const ContactPair& pair) const;

@@ -107,8 +107,8 @@ double BarrierContact::add_barrier(const ContactPair& pair, const ContactPlaces&
       }
     }
   }
-  scatter(near.places, point_count(pair.kind), near.gradient, out->hessian ? &hessian : nullptr,
-          at, *out);
+  scatter(near.places, point_count(pair.kind), near.gradient, out->hessian ? &hessian : nullptr, at,
+          *out);
   return near.energy;
 }
 

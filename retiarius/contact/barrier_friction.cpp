@@ -94,10 +94,12 @@ std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
     PairContact c;
     c.pair = pair;
     c.places = near.places;
+    c.place = near.p;
     c.weight = near.distance.weight;
     c.normal = near.distance.normal;
     c.gap = near.gap;
     c.force = near.force;
+    c.energy = near.energy;
     for (int i = 0; i < 4; ++i) c.point_force[i] = -near.gradient.segment<3>(3 * i);
     const int first = first_count(pair.kind);
     for (int i = 0; i < first; ++i) c.point += near.distance.weight[i] * near.p[i];
@@ -111,12 +113,14 @@ std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
 // To the contact of the same pair, which may have parted since friction was determined.
 void BarrierContact::add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
                                      const ContactPlaces& at) const {
-  auto found = std::lower_bound(contacts.begin(), contacts.end(), s.pair,
-                                [](const PairContact& c, const ContactPair& p) { return c.pair < p; });
+  auto found =
+      std::lower_bound(contacts.begin(), contacts.end(), s.pair,
+                       [](const PairContact& c, const ContactPair& p) { return c.pair < p; });
   if (found == contacts.end() || found->pair != s.pair) {
     PairContact parted;
     parted.pair = s.pair;
     parted.places = s.places;
+    for (int i = 0; i < s.count; ++i) parted.place[i] = world(s.places[i], at);
     parted.weight = s.weight;
     parted.normal = s.normal;
     parted.gap = range_;

@@ -133,6 +133,23 @@ void check_integrators(const Mission& mission, const Places& places) {
   }
 }
 
+void check_contact(const Mission& mission, const Places& places) {
+  for (std::size_t i = 0; i < mission.phases.size(); ++i) {
+    const ContactSpec& contact = mission.phases[i].contact;
+    const auto place = [&](const char* key) {
+      const std::string own = fmt::format("phase[{}].contact.{}", i, key);
+      return places.has(own) ? own : fmt::format("contact.{}", key);
+    };
+    if (contact.self && contact.method != ContactMethod::barrier)
+      fail(places, place("self"),
+           "= true: threads touch each other only with contact.method = \"barrier\"");
+    if (contact.method == ContactMethod::barrier &&
+        mission.phases[i].integrator.method == Method::explicit_differences)
+      fail(places, place("method"),
+           "= \"barrier\": the explicit integrator has contact by modified mass only");
+  }
+}
+
 void check_output(const Mission& mission, const Places& places) {
   const OutputSpec& output = mission.output;
   if (!is_multiple(output.frame_interval, output.interval)) {
@@ -173,6 +190,7 @@ void check_mission(const Mission& mission, const Places& places) {
   check_targets(mission, places);
   check_phases(mission, places);
   check_integrators(mission, places);
+  check_contact(mission, places);
   check_output(mission, places);
 }
 

@@ -71,32 +71,41 @@ const Table<IntegratorSpec>& integrator_table() {
 }
 
 const Table<ContactSpec>& contact_table() {
-  static const Table<ContactSpec> table = [] {
-    Key<ContactSpec> self;
-    self.name = "self";
-    self.type = KeyType::boolean;
-    self.meaning = "contact of thread on thread; not available with this response";
-    self.get = [](const ContactSpec&) -> KeyValue { return false; };
-    self.set = [](ContactSpec&, const KeyValue&) {};
-    self.refuse = [](const KeyValue& value) -> std::string {
-      return std::get<bool>(value)
-                 ? "thread-on-thread contact is not available with this response; leave it false"
-                 : "";
-    };
-    return Table<ContactSpec>(
-        {"contact",
-         "What follows when threads touch bodies. A phase may override it.",
-         "",
-         false,
-         {}},
-        {word("method", &ContactSpec::method,
-              {{"none", ContactMethod::none}, {"modified-mass", ContactMethod::modified_mass}},
-              "of the response: none, or modified mass at nodes with the thread's radius")
-             .not_yet({"barrier"}),
-         key("friction", &ContactSpec::friction, "", "Coulomb's coefficient, thread on body")
-             .at_least(0),
-         self});
-  }();
+  static const Table<ContactSpec> table(
+      {"contact",
+       "What follows when threads touch bodies, or each other. A phase may override it.",
+       "",
+       false,
+       {}},
+      {word("method", &ContactSpec::method,
+            {{"none", ContactMethod::none},
+             {"modified-mass", ContactMethod::modified_mass},
+             {"barrier", ContactMethod::barrier}},
+            "of the response: none, modified mass at nodes with the thread's radius, or barriers "
+            "around whole threads and bodies, which never interpenetrate"),
+       key("friction", &ContactSpec::friction, "",
+           "Coulomb's coefficient, thread on body and body on body")
+           .at_least(0),
+       key("self", &ContactSpec::self, "", "contact of thread on thread; needs barrier"),
+       key("thread_friction", &ContactSpec::thread_friction, "",
+           "barrier only: Coulomb's coefficient, thread on thread")
+           .at_least(0),
+       key("gap", &ContactSpec::gap, "m",
+           "barrier only: how far from each other surfaces begin to push; 0: the thinnest thread's "
+           "radius")
+           .at_least(0),
+       key("stick_speed", &ContactSpec::stick_speed, "m/s",
+           "barrier only: below it friction falls with the speed of slip, so that it is smooth")
+           .above(0),
+       key("friction_rounds", &ContactSpec::friction_rounds, "",
+           "barrier only: a step is solved at most so often for the normal forces that friction "
+           "goes by")
+           .at_least(1)
+           .up_to(1000),
+       key("friction_tolerance", &ContactSpec::friction_tolerance, "",
+           "barrier only: relative change of these forces below which it is not solved again")
+           .above(0)
+           .up_to(1)});
   return table;
 }
 

@@ -10,6 +10,7 @@
 #include "retiarius/contact/modified_mass.hpp"
 #include "retiarius/forces/environment_damping.hpp"
 #include "retiarius/forces/gravity.hpp"
+#include "retiarius/motion/barrier_impulses.hpp"
 #include "retiarius/motion/contact_impulses.hpp"
 #include "retiarius/motion/integrator.hpp"
 #include "retiarius/motion/stable_step.hpp"
@@ -94,6 +95,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
     add_law(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
   problem_->bind_laws();
   response_.reset();
+  barrier_.reset();
+  contacts_.clear();
   explicit_contact_.reset();
   if (integrator.method == Method::explicit_differences) {
     if (!explicit_) {
@@ -108,6 +111,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
     response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
                                                contact.friction);
+  if (contact.method == ContactMethod::barrier)
+    barrier_ = std::make_unique<BarrierContact>(*network_, *bodies_, contact, integrator.step);
 }
 
 // Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
@@ -141,6 +146,12 @@ double Simulation::round_off_step() const {
   return 4.0 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
+double Simulation::contact_energy() const {
+  double sum = 0.0;
+  for (const PairContact& c : contacts_) sum += c.energy;
+  return sum;
+}
+
 // Bodies fall exactly and tumble without torque; contact adds to that.
 std::vector<BodyState> Simulation::free_bodies(double h) const {
   if (bodies_held_) return state_.bodies;
@@ -169,6 +180,7 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   start.prescribed = &prescribed;
   start.bodies = free_bodies(step.h);
   start.contact = bodies_held_ ? nullptr : response_.get();
+  start.barrier = bodies_held_ ? nullptr : barrier_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
   problem_->begin(std::move(start));
@@ -187,6 +199,13 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   report.projections += result.projections;
   if (!result.converged) {
     failure = result.failure;
+    return false;
+  }
+  if (const std::string pair = problem_->blocked_motion(); !pair.empty()) {
+    failure = fmt::format(
+        "the straight way from the step's start to its end leads {} through each "
+        "other",
+        pair);
     return false;
   }
   accept(step, prescribed, past_change, end);
@@ -243,6 +262,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
   }
+  contacts_ = problem_->barrier_contacts();
   std::vector<Vec3> friction;
   for (const Constraint& c : problem_->constraints())
     friction.push_back(problem_->friction_force(c));
@@ -275,6 +295,12 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   if (response_ && !bodies_held_) {
     const std::vector<SolvedContact> contacts = response_->contacts();
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
+  }
+  if (barrier_ && !bodies_held_) {
+    apply_barrier_impulses(done, *bodies_, contact_.stick_speed, contacts_, now);
+    const std::vector<Vec3> pushes = node_forces(contacts_, y.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+      law_change_[i] -= weight / network_->mass[i] * pushes[i];
   }
   Exchange exchange;
   for (const auto& law : laws_) law->account(done, y, now.x, exchange);

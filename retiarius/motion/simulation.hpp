@@ -88,6 +88,9 @@ class Simulation {
   const std::vector<double>& tensions() const { return tensions_; }
   double stretching_energy() const { return stretching_->energy(state_.x); }             // J
   double bending_energy() const { return bending_ ? bending_->energy(state_.x) : 0.0; }  // J
+  // Of barrier contact at the end of the last step, in the order of their pairs.
+  const std::vector<PairContact>& contacts() const { return contacts_; }
+  double contact_energy() const;  // of the barriers, J
   const LinearSolver& solver() const { return problem_->solver(); }
   const WorkTimes& work_times() const { return problem_->work_times(); }
 
@@ -135,6 +138,8 @@ class Simulation {
   std::size_t lasting_laws_ = 0;
   std::unique_ptr<StepProblem> problem_;
   std::unique_ptr<ContactResponse> response_;
+  std::unique_ptr<BarrierContact> barrier_;
+  std::vector<PairContact> contacts_;  // of the barrier, at the end of the last step
   std::unique_ptr<ExplicitStepper> explicit_;
   double stable_step_ = 0.0;  // of the explicit integrator, s
   std::unique_ptr<ExplicitContact> explicit_contact_;

@@ -86,6 +86,12 @@ void StepProblem::begin(Start start) {
   }
   collect_constraints();
   project_guess();
+  node_body_.clear();
+  body_body_.clear();
+  if (start_.barrier) {
+    start_.barrier->begin(step);
+    free_guess();
+  }
 }
 
 // Prescribed nodes and contacts in one list, ordered by node; they never share a node.
@@ -139,6 +145,10 @@ double StepProblem::potential() {
     if (c.limit > 0.0) value += c.limit / step.reach * std::hypot(slip(c).norm(), c.smoothing);
   }
   for (const auto& law : *laws_) value += law->potential(step, y_);
+  if (start_.barrier) {
+    find_end(end_);
+    value += start_.barrier->evaluate(end_.places(), nullptr) / step.reach;
+  }
   return value;
 }
 
@@ -163,6 +173,9 @@ double StepProblem::sum_up(Assembly out) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
   double value = 0.0, inertial = 0.0;
   for (const auto& law : *laws_) value += law->assemble(step, y_, out);
+  for (std::size_t b = 0; b < b_.size(); ++b) body_gradient_[b] = body_mass_[b] * b_[b];
+  for (std::size_t b = 0; b < b_.size(); ++b) value += 0.5 * b_[b].dot(body_gradient_[b]);
+  if (start_.barrier) value += add_barrier(out);
   double largest = 0.0;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     const Vec3 off = y_[i] - start_.predicted[i];
@@ -174,10 +187,6 @@ double StepProblem::sum_up(Assembly out) {
   }
   largest_force_ = std::sqrt(largest);
   value += 0.5 * step.inertia * inertial;
-  for (std::size_t b = 0; b < b_.size(); ++b) {
-    body_gradient_[b] = body_mass_[b] * b_[b];
-    value += 0.5 * b_[b].dot(body_gradient_[b]);
-  }
   for (const Constraint& c : constraints_) {
     if (c.limit <= 0.0) continue;
     const Vec3 u = slip(c);
@@ -251,7 +260,20 @@ void StepProblem::build_borders() {
       border.at(n.node) += n.row ? Mat63(follows * block) : Mat63(follows * block.transpose());
     }
   }
+  for (const ContactAssembly::NodeBody& e : node_body_) {
+    Border& border = borders_[e.body];
+    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
+    border.at(e.node) += e.block.transpose();
+  }
+  for (const ContactAssembly::BodyBody& e : body_body_)
+    touching_.insert(touching_.end(), {e.first, e.second});
+  for (const ContactAssembly::NodeBody& e : node_body_) touching_.push_back(e.body);
   std::sort(touching_.begin(), touching_.end());
+  touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+  for (const Index body : touching_) {
+    Border& border = borders_[body];
+    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
+  }
   build_border_diagonal();
 }
 
@@ -271,6 +293,15 @@ void StepProblem::build_border_diagonal() {
         border_diagonal_[p * count + q] += follows * border.rows[place].transpose();
       }
     }
+  }
+  const auto place_of = [&](Index body) {
+    return static_cast<std::size_t>(std::lower_bound(touching_.begin(), touching_.end(), body) -
+                                    touching_.begin());
+  };
+  for (const ContactAssembly::BodyBody& e : body_body_) {
+    const std::size_t p = place_of(e.first), q = place_of(e.second);
+    border_diagonal_[p * count + q] += e.block;
+    if (p != q) border_diagonal_[q * count + p] += e.block.transpose();
   }
 }
 
@@ -443,15 +474,25 @@ double StepProblem::residual_ratio() const {
   std::vector<double> lever(bodies_->size(), 0.0);
   for (const Constraint& c : constraints_)
     if (c.body != kNone) lever[c.body] = std::max(lever[c.body], c.lever.norm());
+  double floor = start_.force_floor;
+  if (start_.barrier) {
+    floor += start_.barrier->force_round_off();
+    for (std::size_t b = 0; b < lever.size(); ++b)
+      lever[b] = start_.barrier->scene().bodies[b].bounding_radius;
+  }
   const std::vector<Vec6> gradients = reduced_body_gradient();
   for (std::size_t b = 0; b < gradients.size(); ++b) {
     largest = std::max(largest, gradients[b].head<3>().norm());
     if (lever[b] > 0.0) largest = std::max(largest, gradients[b].tail<3>().norm() / lever[b]);
   }
-  return largest / std::max(start_.tolerance * largest_force_, start_.force_floor);
+  return largest / std::max(start_.tolerance * largest_force_, floor);
 }
 
 bool StepProblem::revise(bool full) {
+  if (start_.barrier) {
+    find_end(end_);
+    return full && start_.barrier->revise(end_.places());
+  }
   if (!start_.contact) return false;
   if (!start_.contact->revise(end_positions(), end_bodies(), gradient_, full)) return false;
   collect_constraints();

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 
 #include "retiarius/bodies/body.hpp"
+#include "retiarius/contact/barrier.hpp"
 #include "retiarius/contact/response.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/newton.hpp"
@@ -16,9 +17,6 @@
 
 namespace retiarius {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Mat63 = Eigen::Matrix<double, 6, 3>;
 
 // Wall time spent in parts of the work since the start, s.
@@ -52,6 +50,7 @@ class StepProblem final : public NewtonProblem {
     const std::vector<Prescribed>* prescribed = nullptr;
     std::vector<BodyState> bodies;       // at the step's end, in free motion
     ContactResponse* contact = nullptr;  // null: none
+    BarrierContact* barrier = nullptr;   // null: none; not both
     double tolerance = 1e-8;             // of the residual, relative
     double force_floor = 0.0;            // N, round-off of the forces
   };
@@ -63,6 +62,7 @@ class StepProblem final : public NewtonProblem {
   bool find_direction() override;
   void reuse_direction() override;
   double slope() const override;
+  double free_share() override;
   void move(double fraction) override;
   double direction_size() const override;
   double residual_ratio() const override;
@@ -78,6 +78,11 @@ class StepProblem final : public NewtonProblem {
   const std::vector<Constraint>& constraints() const { return constraints_; }
   // Friction on a sliding node at the present iterate, N.
   Vec3 friction_force(const Constraint& c) const;
+  // Of the barrier, at the present iterate; empty without one.
+  std::vector<PairContact> barrier_contacts();
+  // Empty if the straight motion from the step's start to the present iterate keeps apart what
+  // touches; otherwise the name of a pair that it does not.
+  std::string blocked_motion();
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
@@ -98,7 +103,18 @@ class StepProblem final : public NewtonProblem {
     void clear();
   };
 
+  // The step's end as the barrier sees it.
+  struct End {
+    std::vector<Vec3> nodes;
+    std::vector<BodyState> bodies;
+    std::vector<Vec3> turns;
+    ContactPlaces places() const { return {&nodes, &bodies, &turns}; }
+  };
+
   double sum_up(Assembly out);
+  double add_barrier(Assembly& out);
+  void free_guess();
+  void find_end(End& end) const;
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
@@ -135,6 +151,9 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   double largest_force_ = 0.0;
+  End end_, other_end_;
+  std::vector<ContactAssembly::NodeBody> node_body_;  // second derivatives, of the barrier
+  std::vector<ContactAssembly::BodyBody> body_body_;
   BlockMatrix matrix_;
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending

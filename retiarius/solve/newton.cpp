@@ -31,7 +31,7 @@ class Iteration {
   bool find_descent();
   void choose_next(double size);
   double line_search();
-  double shorten(double slope, double high_slope);
+  double shorten(double slope, double most, double high_slope);
   void restart();
 
   NewtonProblem& problem_;
@@ -75,28 +75,34 @@ void Iteration::choose_next(double size) {
   size_before_ = size;
 }
 
-// Takes the whole step where the potential falls enough (Armijo) against the largest of the last
-// few iterates (Grippo, Lampariello and Lucidi 1986: where tension-only threads become taut, the
-// way down leads over small rises). Close to the minimum the fall drowns in round-off; there a step
-// counts as good if it leaves a smaller slope (Hager and Zhang 2005). Else a shorter one is looked
-// for. Returns the accepted fraction with the problem assembled there, or 0.
+// Takes the whole step, or what is free of it, where the potential falls enough (Armijo) against
+// the largest of the last few iterates (Grippo, Lampariello and Lucidi 1986: where tension-only
+// threads become taut, the way down leads over small rises). Close to the minimum the fall drowns
+// in round-off; there a step counts as good if it leaves a smaller slope (Hager and Zhang 2005).
+// Else a shorter one is looked for. Returns the accepted fraction with the problem assembled there,
+// or 0.
 double Iteration::line_search() {
   const double slope = problem_.slope();
   const double noise = 1e-12 * std::abs(value_) + 1e-300;
   if (recent_.size() == kMemory) recent_.erase(recent_.begin());
   recent_.push_back(value_);
   const double reference = *std::max_element(recent_.begin(), recent_.end());
-  problem_.move(1.0);
+  const double most = problem_.free_share();
+  if (most < 1.0) {
+    next_is_chord_ = false;
+    size_before_ = 0.0;
+  }
+  problem_.move(most);
   const double trial = next_is_chord_ ? problem_.evaluate() : problem_.assemble(false);
-  const bool falls = trial <= reference + kArmijo * slope;
+  const bool falls = trial <= reference + kArmijo * most * slope;
   const bool level =
       std::abs(trial - value_) <= noise && std::abs(problem_.slope()) <= 0.9 * std::abs(slope);
   const bool still = std::abs(slope) <= noise;
   if (std::isfinite(trial) && (falls || level || still)) {
     value_ = trial;
-    return 1.0;
+    return most;
   }
-  const double fraction = shorten(slope, std::isfinite(trial) ? problem_.slope() : -1.0);
+  const double fraction = shorten(slope, most, std::isfinite(trial) ? problem_.slope() : -1.0);
   if (fraction > 0.0) restart();
   return fraction;
 }
@@ -104,8 +110,8 @@ double Iteration::line_search() {
 // Looks for the place along the direction where the slope vanishes, between `low` where the
 // potential still falls and `high` where it rises or has not fallen enough, by the secant of the
 // slopes. Ends where the potential has fallen enough and the slope is half of that at the start.
-double Iteration::shorten(double slope, double high_slope) {
-  double low = 0.0, low_slope = slope, high = 1.0, best = 0.0;
+double Iteration::shorten(double slope, double most, double high_slope) {
+  double low = 0.0, low_slope = slope, high = most, best = 0.0;
   for (int trials = 0; trials < kMostTrials; ++trials) {
     const double width = high - low;
     double at = low + 0.5 * width;

@@ -30,6 +30,10 @@ class NewtonProblem {
   // Gradient (as last assembled) times direction: the potential's slope, negative for descent.
   virtual double slope() const = 0;
 
+  // The share of the direction, in (0, 1], along which the problem can be evaluated; asked once for
+  // each direction, before move().
+  virtual double free_share() { return 1.0; }
+
   // Puts the iterate at base + fraction * direction; base is where the direction was computed.
   virtual void move(double fraction) = 0;
 

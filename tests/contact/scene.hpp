@@ -59,7 +59,16 @@ inline IntegratorSpec with(Method method, double tolerance = 1e-8) {
 }
 
 inline ContactSpec touching(double friction = 0.0) {
-  return {ContactMethod::modified_mass, friction};
+  ContactSpec spec;
+  spec.method = ContactMethod::modified_mass;
+  spec.friction = friction;
+  return spec;
+}
+
+inline ContactSpec barriers(double friction = 0.0) {
+  ContactSpec spec = touching(friction);
+  spec.method = ContactMethod::barrier;
+  return spec;
 }
 
 inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark,

@@ -121,11 +121,11 @@ TEST(BadMission, WhatIsNotAvailable) {
         "m.toml:12:8: phase[0].kind = \"tug\": is not available yet; available: "
         "\"free\", \"fold\", \"shoot\", \"spread\", \"contact\", \"close\""},
        {kLeast + "[contact]\nself = true\n",
-        "m.toml:15:8: contact.self = true: thread-on-thread contact is not available "
-        "with this response; leave it false"},
-       {kLeast + "[contact]\nmethod = \"barrier\"\n",
-        "m.toml:15:10: contact.method = \"barrier\": is not available yet; available: "
-        "\"none\", \"modified-mass\""},
+        "m.toml:15:8: contact.self = true: threads touch each other only with contact.method = "
+        "\"barrier\""},
+       {kLeast + "[contact]\nmethod = \"barrier\"\n[integrator]\nmethod = \"explicit\"\n",
+        "m.toml:15:10: contact.method = \"barrier\": the explicit integrator has contact by "
+        "modified mass only"},
        {"format = 2\n" + kLeast, "m.toml:1:10: format = 2: this program reads format 1"}});
   EXPECT_EQ(error_of("format = 1\n" + kLeast + "[contact]\nself = false\n"), "");
 }

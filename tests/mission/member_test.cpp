@@ -49,8 +49,10 @@ Lines members(const IntegratorSpec& spec) {
           "adaptive", "accuracy", "min_step", "max_iterations", "max_halvings"};
 }
 Lines members(const ContactSpec& spec) {
-  [[maybe_unused]] const auto& [method, friction] = spec;
-  return {"method", "friction"};
+  [[maybe_unused]] const auto& [method, friction, self, thread_friction, gap, stick_speed,
+                                friction_rounds, friction_tolerance] = spec;
+  return {"method", "friction",    "self",            "thread_friction",
+          "gap",    "stick_speed", "friction_rounds", "friction_tolerance"};
 }
 Lines members(const PhaseSpec& spec) {
   [[maybe_unused]] const auto& [kind, name, fix, until, move, speed, half_angle_deg, delay, axis,
@@ -95,7 +97,7 @@ TEST(Schema, EveryMemberHasAKey) {
   expect_keys(target_table());
   expect_keys(environment_table());
   expect_keys(integrator_table());
-  expect_keys(contact_table(), {"self"});
+  expect_keys(contact_table());
   expect_keys(phase_table());
   expect_keys(move_table());
   expect_keys(probe_table());
