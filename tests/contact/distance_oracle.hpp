@@ -82,7 +82,7 @@ inline void check_random_distances(std::uint64_t seed, int count) {
       // The normal is known to rounding over distance.
       const double value = distance(kind, p).value;
       if (value > 1e-9 * size) {
-        ASSERT_LE(errors.dual, 16.0 * bound * size / value)
+        ASSERT_LE(errors.dual, 40.0 * bound * size / value)
             << "sample " << k << " kind " << static_cast<int>(kind);
       }
     }
