@@ -18,7 +18,7 @@ namespace retiarius {
 // The boxes against a body stand in its axes, where its primitives' tree is built once.
 //
 // The cost is that of passing once over the net and the bodies' bounds, plus that of what is near.
-// After the first calls nothing is allocated unless there are more candidates than ever before.
+// Buffers are kept from call to call.
 class BroadPhase {
  public:
   struct Options {
@@ -41,10 +41,22 @@ class BroadPhase {
   struct BodyTrees {
     BoxTree edges, triangles;
   };
+  using Found = std::vector<ContactPair>;
 
-  void net_on_net(double margin);
-  void net_on_body(Index body, double margin);
+  // Calls call(k, found) for k in [0, count), in parallel ranges that have a list each.
+  template <class Call>
+  void each(std::size_t count, Call&& call);
+
+  Box segment_box(Index segment) const;
+  Box body_box(Index body) const;
+  PointMotion node(Index k) const;
+  PointMotion point(Index body, Index k) const;
+
+  void net_on_net();
+  void nodes_on_body(Index body, double margin);
+  void segments_on_body(Index body, double margin);
   void net_on_plane(Index body, double margin);
+  void body_on_plane(Index body, Index plane, double margin);
   void body_on_body(Index first, Index second, double margin);
   void points_on_surface(Index from, Index to, double margin);
   void edges_on_edges(Index from, Index to, double margin);
@@ -55,13 +67,13 @@ class BroadPhase {
   Options options_;
   std::vector<BodyTrees> trees_;
   const std::vector<Vec3>*x_ = nullptr, *dx_ = nullptr;
-  const std::vector<BodyTwist>* motions_ = nullptr;
+  const std::vector<BodyTwist>* twists_ = nullptr;
 
   BoxTree net_tree_;
-  std::vector<Box> boxes_;                       // of segments, in world axes
-  std::vector<Box> near_boxes_;                  // of nodes, in a body's axes
-  std::vector<std::vector<ContactPair>> parts_;  // what each range of a loop found
-  std::vector<ContactPair> pairs_;
+  std::vector<Box> boxes_;    // of segments, in world axes
+  std::vector<Found> parts_;  // what each range of a loop found
+  std::size_t used_parts_ = 0;
+  Found pairs_;
 };
 
 }  // namespace retiarius

@@ -39,7 +39,7 @@ struct CollisionScene {
 
   // Motion of nodes from x by dx and of bodies.
   PairMotion motion(const ContactPair& pair, const std::vector<Vec3>& x,
-                    const std::vector<Vec3>& dx, const std::vector<BodyTwist>& bodies) const;
+                    const std::vector<Vec3>& dx, const std::vector<BodyTwist>& twists) const;
 };
 
 // The net and all bodies, with the usual chord error.

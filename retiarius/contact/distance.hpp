@@ -14,9 +14,11 @@ using Mat12 = Eigen::Matrix<double, 12, 12>;
 // positive on the first primitive and negative on the second; d = |u|, n = u / d, and the gradient
 // of d in p_i is w_i n.
 //
-// Accuracy, with L the largest distance between the points involved and eps the machine's: d is
-// within 8 eps L + 1e-10 (sin) of the true one, where the last term, present only for edges at an
-// angle below 1e-10 rad that pass each other at d = 0, is at most 1e-10 L.
+// Accuracy, with L the largest distance of a point from the first and eps the machine's: d is
+// within 40 eps L of the true one, and so is the distance of the stated closest points. Of edges at
+// an angle a below 1e-10 whose interiors are nearest the distance is that of an end of one of them,
+// too large by at most (a L)^2 / 2d and never by more than 1e-10 L. The normal is within 80 eps L /
+// d.
 struct Distance {
   double value = kInfinity;        // d, m; of point_plane signed
   Vec3 normal = Vec3::UnitZ();     // n, unit, from the second primitive to the first

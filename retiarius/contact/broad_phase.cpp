@@ -1,0 +1,236 @@
+#include "retiarius/contact/broad_phase.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "retiarius/base/parallel.hpp"
+#include "retiarius/contact/swept_box.hpp"
+
+namespace retiarius {
+namespace {
+
+std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+constexpr std::size_t kGrain = 256;
+
+Box box_of(const CollisionMesh& mesh, const std::array<Index, 2>& edge) {
+  Box box(mesh.points[at(edge[0])]);
+  return box.extend(mesh.points[at(edge[1])]);
+}
+
+Box box_of(const CollisionMesh& mesh, const std::array<Index, 3>& triangle) {
+  Box box(mesh.points[at(triangle[0])]);
+  return box.extend(mesh.points[at(triangle[1])]).extend(mesh.points[at(triangle[2])]);
+}
+
+template <class Primitives>
+std::vector<Box> boxes_of(const CollisionMesh& mesh, const Primitives& primitives) {
+  std::vector<Box> boxes;
+  for (const auto& primitive : primitives) boxes.push_back(box_of(mesh, primitive));
+  return boxes;
+}
+
+// All primitives of a body have the same radius.
+double radius_of(const CollisionMesh& mesh) {
+  return mesh.point_radius.empty() ? 0.0 : mesh.point_radius[0];
+}
+
+// A sphere is one point; other bodies have edges.
+bool is_sphere(const CollisionMesh& mesh) { return mesh.edges.empty() && !mesh.half_space; }
+
+}  // namespace
+
+BroadPhase::BroadPhase(const CollisionScene& scene, const ThreadNeighbours* neighbours,
+                       Options options)
+    : scene_(&scene), neighbours_(neighbours), options_(std::move(options)) {
+  options_.fixed.resize(scene.bodies.size(), false);
+  trees_.resize(scene.bodies.size());
+  for (std::size_t k = 0; k < trees_.size(); ++k) {
+    const CollisionMesh& mesh = scene.bodies[k];
+    trees_[k].edges.build(boxes_of(mesh, mesh.edges));
+    trees_[k].triangles.build(boxes_of(mesh, mesh.triangles));
+  }
+}
+
+template <class Call>
+void BroadPhase::each(std::size_t count, Call&& call) {
+  const std::size_t first = used_parts_;
+  used_parts_ += (count + kGrain - 1) / kGrain;
+  if (parts_.size() < used_parts_) parts_.resize(used_parts_);
+  const auto run = [&](std::size_t begin, std::size_t end) {
+    Found& found = parts_[first + begin / kGrain];
+    for (std::size_t k = begin; k < end; ++k) call(static_cast<Index>(k), found);
+  };
+  parallel_for(count, kGrain, std::cref(run));
+}
+
+PointMotion BroadPhase::node(Index k) const { return node_motion((*x_)[at(k)], (*dx_)[at(k)]); }
+
+PointMotion BroadPhase::point(Index body, Index k) const {
+  return body_point_motion((*twists_)[at(body)], scene_->bodies[at(body)].points[at(k)]);
+}
+
+Box BroadPhase::segment_box(Index segment) const {
+  const auto& [a, b] = scene_->net.edges[at(segment)];
+  return world_box(node(a)).merged(world_box(node(b)));
+}
+
+// About the bounding sphere along its way.
+Box BroadPhase::body_box(Index body) const {
+  const BodyTwist& twist = (*twists_)[at(body)];
+  Box box(twist.position);
+  box.extend(twist.position + twist.translation);
+  return widened(box, scene_->bodies[at(body)].bounding_radius);
+}
+
+const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
+                                                 const std::vector<Vec3>& dx,
+                                                 const std::vector<BodyTwist>& bodies,
+                                                 double margin) {
+  x_ = &x;
+  dx_ = &dx;
+  twists_ = &bodies;
+  used_parts_ = 0;
+  for (Found& part : parts_) part.clear();
+  boxes_.resize(scene_->net.edges.size());
+  each(boxes_.size(), [&](Index s, Found&) {
+    boxes_[at(s)] = widened(segment_box(s), scene_->net.edge_radius[at(s)] + 0.5 * margin);
+  });
+  if (options_.self) net_on_net();
+  const auto count = static_cast<Index>(scene_->bodies.size());
+  for (Index k = 0; k < count; ++k) {
+    if (scene_->bodies[at(k)].half_space) {
+      net_on_plane(k, margin);
+    } else {
+      nodes_on_body(k, margin);
+      segments_on_body(k, margin);
+    }
+    for (Index other = k + 1; other < count; ++other)
+      if (!(options_.fixed[at(k)] && options_.fixed[at(other)])) body_on_body(k, other, margin);
+  }
+  collect();
+  return pairs_;
+}
+
+void BroadPhase::net_on_net() {
+  net_tree_.build(boxes_);
+  each(net_tree_.size(), [&](Index leaf, Found& found) {
+    net_tree_.visit_pairs(at(leaf), at(leaf) + 1, [&](Index s, Index t) {
+      if (neighbours_ == nullptr || !neighbours_->are_neighbours(s, t))
+        found.push_back({PairKind::edge_edge, kNet, s, kNet, t});
+    });
+  });
+}
+
+void BroadPhase::nodes_on_body(Index body, double margin) {
+  const BoxTree& tree = trees_[at(body)].triangles;
+  if (tree.empty()) return;
+  const Box bounds = body_box(body);
+  const MovingAxes axes((*twists_)[at(body)]);
+  each(scene_->net.corners.size(), [&](Index k, Found& found) {
+    const Index n = scene_->net.corners[at(k)];
+    const PointMotion path = node(n);
+    const double reach = scene_->net.point_radius[at(n)] + margin;
+    if (!widened(world_box(path), reach).intersects(bounds)) return;
+    tree.visit(widened(axes.box(path), reach), [&](Index t) {
+      found.push_back({PairKind::point_triangle, kNet, n, body, t});
+    });
+  });
+}
+
+void BroadPhase::segments_on_body(Index body, double margin) {
+  const CollisionMesh& mesh = scene_->bodies[at(body)];
+  const BoxTree& tree = trees_[at(body)].edges;
+  const Box bounds = widened(body_box(body), 0.5 * margin);
+  const MovingAxes axes((*twists_)[at(body)]);
+  each(boxes_.size(), [&](Index s, Found& found) {
+    if (!boxes_[at(s)].intersects(bounds)) return;
+    const auto& [a, b] = scene_->net.edges[at(s)];
+    const Box box = widened(axes.box(node(a)).merged(axes.box(node(b))),
+                            scene_->net.edge_radius[at(s)] + radius_of(mesh) + margin);
+    if (is_sphere(mesh)) {
+      if (box.contains(mesh.points[0])) found.push_back({PairKind::point_edge, body, 0, kNet, s});
+      return;
+    }
+    tree.visit(box, [&](Index e) { found.push_back({PairKind::edge_edge, kNet, s, body, e}); });
+  });
+}
+
+void BroadPhase::net_on_plane(Index body, double margin) {
+  const BodyTwist& plane = (*twists_)[at(body)];
+  const MovingAxes axes(plane);
+  each(scene_->net.corners.size(), [&](Index k, Found& found) {
+    const Index n = scene_->net.corners[at(k)];
+    if (axes.box(node(n)).min().z() <= scene_->net.point_radius[at(n)] + margin)
+      found.push_back({PairKind::point_plane, kNet, n, body, 0});
+  });
+}
+
+void BroadPhase::body_on_plane(Index body, Index plane, double margin) {
+  const CollisionMesh& mesh = scene_->bodies[at(body)];
+  const MovingAxes axes((*twists_)[at(plane)]);
+  each(mesh.corners.size(), [&](Index k, Found& found) {
+    const Index p = mesh.corners[at(k)];
+    if (axes.box(point(body, p)).min().z() <= mesh.point_radius[at(p)] + margin)
+      found.push_back({PairKind::point_plane, body, p, plane, 0});
+  });
+}
+
+void BroadPhase::body_on_body(Index first, Index second, double margin) {
+  const CollisionMesh &a = scene_->bodies[at(first)], &b = scene_->bodies[at(second)];
+  if (a.half_space && b.half_space) return;
+  if (b.half_space) return body_on_plane(first, second, margin);
+  if (a.half_space) return body_on_plane(second, first, margin);
+  if (!widened(body_box(first), margin).intersects(body_box(second))) return;
+  if (is_sphere(a) && is_sphere(b)) {
+    each(1, [&](Index, Found& found) {
+      found.push_back({PairKind::point_point, first, 0, second, 0});
+    });
+    return;
+  }
+  points_on_surface(first, second, margin);
+  points_on_surface(second, first, margin);
+  edges_on_edges(first, second, margin);
+}
+
+// Points against triangles; where the other side is a capsule, a sphere's point against its edge.
+void BroadPhase::points_on_surface(Index from, Index to, double margin) {
+  const CollisionMesh &points = scene_->bodies[at(from)], &other = scene_->bodies[at(to)];
+  const bool on_capsule = is_sphere(points) && other.triangles.empty();
+  const BoxTree& tree = on_capsule ? trees_[at(to)].edges : trees_[at(to)].triangles;
+  if (tree.empty()) return;
+  const PairKind kind = on_capsule ? PairKind::point_edge : PairKind::point_triangle;
+  const MovingAxes axes((*twists_)[at(to)]);
+  each(points.corners.size(), [&](Index k, Found& found) {
+    const Index p = points.corners[at(k)];
+    const double reach = points.point_radius[at(p)] + radius_of(other) + margin;
+    tree.visit(widened(axes.box(point(from, p)), reach), [&](Index t) {
+      found.push_back({kind, from, p, to, t});
+    });
+  });
+}
+
+void BroadPhase::edges_on_edges(Index from, Index to, double margin) {
+  const CollisionMesh &edges = scene_->bodies[at(from)], &other = scene_->bodies[at(to)];
+  const BoxTree& tree = trees_[at(to)].edges;
+  if (tree.empty()) return;
+  const MovingAxes axes((*twists_)[at(to)]);
+  each(edges.edges.size(), [&](Index e, Found& found) {
+    const auto& [a, b] = edges.edges[at(e)];
+    const double reach = edges.edge_radius[at(e)] + radius_of(other) + margin;
+    const Box box = axes.box(point(from, a)).merged(axes.box(point(from, b)));
+    tree.visit(widened(box, reach), [&](Index f) {
+      found.push_back({PairKind::edge_edge, from, e, to, f});
+    });
+  });
+}
+
+// One order whatever the trees and ranges were.
+void BroadPhase::collect() {
+  pairs_.clear();
+  for (std::size_t k = 0; k < used_parts_; ++k)
+    pairs_.insert(pairs_.end(), parts_[k].begin(), parts_[k].end());
+  std::sort(pairs_.begin(), pairs_.end());
+}
+
+}  // namespace retiarius
