@@ -15,6 +15,9 @@ namespace {
 // Of the stiffness, see the class: the strain that is carried within the range.
 constexpr double kCarriedStrain = 1e-3;
 
+// The usual range of the barrier, over the radius of the thinnest thread.
+constexpr double kUsualGap = 0.25;
+
 double thinnest_radius(const Network& network) {
   double r = kInfinity;
   for (const Segment& s : network.segments) r = std::min(r, network.materials[s.material].radius);
@@ -36,7 +39,7 @@ BarrierContact::BarrierContact(const Network& network, const std::vector<Body>& 
       bodies_(&bodies),
       spec_(spec),
       step_size_(step),
-      range_(spec.gap > 0.0 ? spec.gap : thinnest_radius(network)),
+      range_(spec.gap > 0.0 ? spec.gap : kUsualGap * thinnest_radius(network)),
       scene_(make_collision_scene(network, bodies)) {
   if (spec.self) neighbours_.emplace(network);
   broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, broad_options(bodies, spec.self));

@@ -12,7 +12,7 @@ struct ContactSpec {
 
   // Of the barrier alone.
   double thread_friction = 0.0;      // Coulomb coefficient, thread on thread
-  double gap = 0.0;                  // range of the barrier, m; 0: the thinnest thread's radius
+  double gap = 0.0;                  // range of the barrier, m; 0: a quarter of the thinnest radius
   double stick_speed = 1e-3;         // slower slip has proportionally less friction, m/s
   int friction_rounds = 10;          // most solutions of a step with revised normal forces
   double friction_tolerance = 1e-2;  // relative change of normal forces that ends these

@@ -91,8 +91,8 @@ const Table<ContactSpec>& contact_table() {
            "barrier only: Coulomb's coefficient, thread on thread")
            .at_least(0),
        key("gap", &ContactSpec::gap, "m",
-           "barrier only: how far from each other surfaces begin to push; 0: the thinnest thread's "
-           "radius")
+           "barrier only: how far from each other surfaces begin to push; 0: a quarter of the thinnest "
+           "thread's radius")
            .at_least(0),
        key("stick_speed", &ContactSpec::stick_speed, "m/s",
            "barrier only: below it friction falls with the speed of slip, so that it is smooth")
