@@ -142,7 +142,8 @@ bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPla
   twists_.clear();
   for (std::size_t b = 0; b < start.bodies->size(); ++b)
     twists_.push_back(motion_between((*start.bodies)[b], (*end.bodies)[b]));
-  for (const ContactPair& pair : broad_->find(*start.nodes, moves_, twists_, 0.0)) {
+  // With the range as margin, so that what is in contact at the end is among the pairs found.
+  for (const ContactPair& pair : broad_->find(*start.nodes, moves_, twists_, range_)) {
     const PairMotion motion = scene_.motion(pair, *start.nodes, moves_, twists_);
     if (advance(motion, kMotionShare * scene_.thickness(pair), 1e-3) >= 1.0) continue;
     pair_name = name(pair);
