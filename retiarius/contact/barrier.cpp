@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/advance.hpp"
 
 namespace retiarius {
@@ -14,6 +15,9 @@ namespace {
 
 // Of the stiffness, see the class: the strain that is carried within the range.
 constexpr double kCarriedStrain = 1e-3;
+
+// Pairs in one piece of parallel work.
+constexpr std::size_t kGrain = 64;
 
 // The usual range of the barrier, over the radius of the thinnest thread.
 constexpr double kUsualGap = 0.25;
@@ -45,7 +49,6 @@ BarrierContact::BarrierContact(const Network& network, const std::vector<Body>& 
   broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, broad_options(bodies, spec.self));
   for (const Material& m : network.materials)
     axial_stiffness_ = std::max(axial_stiffness_, m.axial_stiffness);
-  still_.assign(network.mass.size(), Vec3::Zero());
   body_places_.resize(bodies.size());
 }
 
@@ -117,16 +120,21 @@ double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces
   twists_.clear();
   for (std::size_t b = 0; b < from.bodies->size(); ++b)
     twists_.push_back(motion_between((*from.bodies)[b], (*to.bodies)[b]));
-  broad_->find(*from.nodes, moves_, twists_, range_);
+  const std::vector<ContactPair>& pairs = broad_->find(*from.nodes, moves_, twists_, range_);
+  shares_.resize(pairs.size());
+  parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const PairMotion motion = scene_.motion(pairs[k], *from.nodes, moves_, twists_);
+      shares_[k] = advance(motion, scene_.thickness(pairs[k]));
+    }
+  });
   hindered_.clear();
   double share = 1.0;
-  for (const ContactPair& pair : broad_->pairs()) {
-    const PairMotion motion = scene_.motion(pair, *from.nodes, moves_, twists_);
-    const double free = advance(motion, scene_.thickness(pair));
-    if (free >= 1.0) continue;
-    share = std::min(share, free);
-    const std::array<PointPlace, 4> places = scene_.places(pair);
-    for (int i = 0; i < point_count(pair.kind); ++i)
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (shares_[k] >= 1.0) continue;
+    share = std::min(share, shares_[k]);
+    const std::array<PointPlace, 4> places = scene_.places(pairs[k]);
+    for (int i = 0; i < point_count(pairs[k].kind); ++i)
       if (places[i].owner == kNet) hindered_.push_back(places[i].point);
   }
   std::sort(hindered_.begin(), hindered_.end());
@@ -143,13 +151,36 @@ bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPla
   for (std::size_t b = 0; b < start.bodies->size(); ++b)
     twists_.push_back(motion_between((*start.bodies)[b], (*end.bodies)[b]));
   // With the range as margin, so that what is in contact at the end is among the pairs found.
-  for (const ContactPair& pair : broad_->find(*start.nodes, moves_, twists_, range_)) {
-    const PairMotion motion = scene_.motion(pair, *start.nodes, moves_, twists_);
-    if (advance(motion, kMotionShare * scene_.thickness(pair), 1e-3) >= 1.0) continue;
-    pair_name = name(pair);
-    return false;
+  const std::vector<ContactPair>& pairs = broad_->find(*start.nodes, moves_, twists_, range_);
+  shares_.resize(pairs.size());
+  parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t stop) {
+    for (std::size_t k = begin; k < stop; ++k) {
+      const PairMotion motion = scene_.motion(pairs[k], *start.nodes, moves_, twists_);
+      shares_[k] = advance(motion, kMotionShare * scene_.thickness(pairs[k]), 1e-3);
+    }
+  });
+  const auto blocked =
+      std::find_if(shares_.begin(), shares_.end(), [](double share) { return share < 1.0; });
+  if (blocked == shares_.end()) return true;
+  pair_name = name(pairs[static_cast<std::size_t>(blocked - shares_.begin())]);
+  return false;
+}
+
+std::vector<std::pair<Index, Index>> BarrierContact::couplings(const ContactPlaces& at,
+                                                               double reach) const {
+  std::vector<std::pair<Index, Index>> result;
+  for (const ContactPair& pair : broad_->pairs()) {
+    if (pair.first_owner != kNet || pair.second_owner != kNet) continue;
+    const PairPositions p = scene_.positions(pair, *at.nodes, *at.bodies);
+    if (distance(pair.kind, p).value - scene_.thickness(pair) >= reach * range_) continue;
+    const std::array<PointPlace, 4> places = scene_.places(pair);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 2; j < 4; ++j)
+        result.emplace_back(std::minmax(places[i].point, places[j].point));
   }
-  return true;
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 }  // namespace retiarius

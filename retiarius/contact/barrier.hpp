@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "retiarius/base/block_matrix.hpp"
@@ -100,6 +101,10 @@ class BarrierContact {
   // By how much forces may be wrong for rounding of the places, N, at the last evaluation.
   double force_round_off() const { return force_round_off_; }
 
+  // The pairs of nodes (smaller first, ascending, unique) that threads in contact couple at a
+  // place, those included whose gap is below `reach` times the range.
+  std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
+
   // Whether friction must be solved again with the normal forces of this place.
   bool revise(const ContactPlaces& at);
 
@@ -111,6 +116,7 @@ class BarrierContact {
   // The contacts at a place, friction by the last round's normal forces.
   std::vector<PairContact> contacts(const ContactPlaces& at);
 
+  bool touches_itself() const { return spec_.self; }
   double range() const { return range_; }
   const CollisionScene& scene() const { return scene_; }
 
@@ -151,6 +157,7 @@ class BarrierContact {
   Vec3 world(const PointPlace& place, const ContactPlaces& at) const;
   bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives,
                Near& near) const;
+  void mark_near(const ContactPlaces& at);
   double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
   double add_friction(const Sliding& s, const ContactPlaces& at, ContactAssembly* out) const;
   double coefficient(const ContactPair& pair) const;
@@ -172,10 +179,11 @@ class BarrierContact {
   double axial_stiffness_ = 0.0;  // of the stiffest thread, N
 
   const Step* step_ = nullptr;
-  std::vector<Vec3> still_;  // zero moves of the nodes
   std::vector<Vec3> moves_;
   std::vector<BodyTwist> twists_;
   std::vector<Index> hindered_;
+  std::vector<double> shares_;  // of each candidate, free of contact
+  std::vector<char> near_;      // whether each candidate is within the range
   std::vector<BodyPlace> body_places_;
   std::vector<Sliding> sliding_;
   int rounds_ = 0;

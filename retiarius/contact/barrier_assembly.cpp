@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/barrier.hpp"
 #include "retiarius/contact/barrier_function.hpp"
 
@@ -47,9 +48,24 @@ double BarrierContact::evaluate(const ContactPlaces& at, ContactAssembly* out) {
   place_bodies(at);
   force_round_off_ = 0.0;
   double value = 0.0;
-  for (const ContactPair& pair : broad_->pairs()) value += add_barrier(pair, at, out);
+  mark_near(at);
+  const std::vector<ContactPair>& pairs = broad_->pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (near_[k]) value += add_barrier(pairs[k], at, out);
   for (const Sliding& s : sliding_) value += add_friction(s, at, out);
   return value;
+}
+
+// Most candidates are not in contact; these are sorted out side by side.
+void BarrierContact::mark_near(const ContactPlaces& at) {
+  const std::vector<ContactPair>& pairs = broad_->pairs();
+  near_.resize(pairs.size());
+  parallel_for(pairs.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const PairPositions p = scene_.positions(pairs[k], *at.nodes, *at.bodies);
+      near_[k] = !(distance(pairs[k].kind, p).value - scene_.thickness(pairs[k]) >= range_);
+    }
+  });
 }
 
 // Whether the pair is within the barrier's range (or interpenetrates), with what it needs then.

@@ -10,6 +10,9 @@ namespace {
 // Rounds in which nodes that are hindered on their way to the first guess are put elsewhere.
 constexpr int kMostGuesses = 4;
 
+// Threads this many barrier ranges apart are taken into the pattern when it grows.
+constexpr double kNearReach = 8.0;
+
 }  // namespace
 
 void StepProblem::find_end(End& end) const {
@@ -38,6 +41,19 @@ double StepProblem::add_barrier(Assembly& out) {
     sums.body_body = &body_body_;
   }
   return start_.barrier->evaluate(end_.places(), &sums) / reach;
+}
+
+// Threads that touch couple nodes that no law couples. What is near already is taken along, so that
+// the pattern is analysed anew seldom; what has parted since is dropped then.
+void StepProblem::grow_pattern() {
+  find_end(end_);
+  const auto needed = start_.barrier->couplings(end_.places(), 1.0);
+  if (std::includes(couplings_.begin(), couplings_.end(), needed.begin(), needed.end())) return;
+  couplings_ = start_.barrier->couplings(end_.places(), kNearReach);
+  pattern_ = laws_pattern_;
+  for (const auto& [a, b] : couplings_) pattern_.couple(a, b);
+  pattern_.finish();
+  use_pattern();
 }
 
 // Bodies start where their free motion leads, nodes at the guess where nothing is in their way.

@@ -30,9 +30,23 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
                          std::vector<std::unique_ptr<Law>>& laws,
                          std::unique_ptr<LinearSolver> solver)
     : mass_(std::move(mass)), bodies_(&bodies), laws_(&laws), solver_(std::move(solver)) {
-  pattern_ = BlockPattern(static_cast<Index>(mass_.size()));
-  for (const auto& law : laws) law->couple(pattern_);
-  pattern_.finish();
+  const std::size_t n = mass_.size();
+  laws_pattern_ = BlockPattern(static_cast<Index>(n));
+  for (const auto& law : laws) law->couple(laws_pattern_);
+  laws_pattern_.finish();
+  pattern_ = laws_pattern_;
+  use_pattern();
+  constraint_of_.assign(n, kNone);
+  gradient_.assign(n, Vec3::Zero());
+  dy_.assign(n, Vec3::Zero());
+  body_mass_.assign(bodies.size(), Mat6::Zero());
+  body_gradient_.assign(bodies.size(), Vec6::Zero());
+  borders_.resize(bodies.size());
+}
+
+// Everything that depends on the pattern.
+void StepProblem::use_pattern() {
+  matrix_.pattern = nullptr;
   solver_->analyse(pattern_);
   bind_laws();
   const std::size_t n = mass_.size();
@@ -53,12 +67,6 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
       neighbours_[next[r]++] = {s, c, true};
     }
   }
-  constraint_of_.assign(n, kNone);
-  gradient_.assign(n, Vec3::Zero());
-  dy_.assign(n, Vec3::Zero());
-  body_mass_.assign(bodies.size(), Mat6::Zero());
-  body_gradient_.assign(bodies.size(), Vec6::Zero());
-  borders_.resize(bodies.size());
 }
 
 void StepProblem::bind_laws() {
@@ -153,6 +161,7 @@ double StepProblem::potential() {
 }
 
 double StepProblem::assemble(bool definite) {
+  if (start_.barrier && start_.barrier->touches_itself()) grow_pattern();
   const Stopwatch watch(times_.assembly);
   if (matrix_.pattern != &pattern_) {
     matrix_.reset(pattern_);

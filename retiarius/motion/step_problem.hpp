@@ -113,6 +113,8 @@ class StepProblem final : public NewtonProblem {
 
   double sum_up(Assembly out);
   double add_barrier(Assembly& out);
+  void use_pattern();
+  void grow_pattern();
   void free_guess();
   void find_end(End& end) const;
   void collect_constraints();
@@ -135,7 +137,9 @@ class StepProblem final : public NewtonProblem {
   const std::vector<Body>* bodies_;
   std::vector<std::unique_ptr<Law>>* laws_;
   std::unique_ptr<LinearSolver> solver_;
-  BlockPattern pattern_;
+  BlockPattern laws_pattern_;                       // what the laws couple
+  BlockPattern pattern_;                            // and threads that touch each other
+  std::vector<std::pair<Index, Index>> couplings_;  // of those
   struct Neighbour {
     Index slot, node;
     bool row;  // whether this node is the row of the stored block
