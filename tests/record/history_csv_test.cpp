@@ -43,7 +43,7 @@ TEST(HistoryColumns, HaveTheNamesThatScriptsRelyOn) {
             "environment_loss, friction_loss, impact_loss, integrator_loss, prescribed_work, "
             "momentum_x, momentum_y, momentum_z, angular_momentum_x, angular_momentum_y, "
             "angular_momentum_z, peak_tension, peak_strain, contacts, smallest_distance, "
-            "newton_iterations, captured_share");
+            "newton_iterations, captured_share, capture_quality");
 }
 
 // A row whose every member differs shows that each column reads its own.
@@ -67,8 +67,9 @@ TEST(HistoryColumns, ReadTheirOwnMembers) {
   row.smallest_distance = 26;
   row.newton_iterations = 27;
   row.captured_share = 28;
+  row.capture_quality = 29;
   const std::vector<double> values = history_values(row);
-  ASSERT_EQ(values.size(), 29u);
+  ASSERT_EQ(values.size(), 30u);
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values[k], static_cast<double>(k));
 }
 
