@@ -91,8 +91,8 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   ASSERT_EQ(lines.size(), 6u);
   EXPECT_THAT(lines[0], StartsWith("time,step,phase,mouth_area,"));
   const auto names = cells_of(lines[0]);
-  EXPECT_EQ(names.size(), 29u + 12u);
-  EXPECT_EQ(names[29], "center.x");
+  EXPECT_EQ(names.size(), 30u + 12u);
+  EXPECT_EQ(names[30], "center.x");
   EXPECT_EQ(names.back(), "corner0.fz");
   const auto first = cells_of(lines[1]);
   const auto last = cells_of(lines[5]);
@@ -101,7 +101,7 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   EXPECT_EQ(first[26], "");  // no distance yet
   EXPECT_EQ(std::strtod(last[0].c_str(), nullptr), 0.1 * 4);
   EXPECT_EQ(std::strtod(last[26].c_str(), nullptr), *run.row(0.1 * 4).smallest_distance);
-  EXPECT_EQ(std::strtod(last[30].c_str(), nullptr), 1.0 / 3.0);
+  EXPECT_EQ(std::strtod(last[31].c_str(), nullptr), 1.0 / 3.0);
   EXPECT_EQ(last.back(), "2.5");
 }
 
