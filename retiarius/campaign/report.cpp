@@ -122,9 +122,7 @@ std::string influence_html(const ReportColumns& columns) {
   for (const CampaignResult& result : columns.results) results.push_back(&result);
   std::vector<CampaignFigure> tornados, sobols;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const auto found = rank_correlations(columns, *results[k]);
-    const bool some = std::any_of(found.begin(), found.end(),
-                                  [](const RankCorrelation& r) { return !std::isnan(r.rho); });
+    const bool some = !strongest_first(influences(columns, *results[k])).empty();
     if (some && tornados.size() < kTornados)
       tornados.push_back(tornado_figure(columns, *results[k], fmt::format("tornado-{}", k)));
     if (sobols.size() >= 2 * kSobols) continue;
@@ -139,7 +137,8 @@ std::string influence_html(const ReportColumns& columns) {
                    sobols) +
          part_html("Which inputs matter: rank correlation",
                    "Spearman's correlation with 95 % intervals; pale bars cannot be told from "
-                   "none. It sees what rises or falls throughout, not what is best in the middle.",
+                   "none. Where a result is best or worst in the middle of an input, the "
+                   "correlation is with the distance from the input's median.",
                    tornados);
 }
 
@@ -147,13 +146,7 @@ std::string responses_html(const ReportColumns& columns) {
   std::vector<CampaignFigure> figures;
   for (std::size_t k = 0; k < std::min(kResponses, columns.results.size()); ++k) {
     const CampaignResult& result = columns.results[k];
-    const auto found = rank_correlations(columns, result);
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (!std::isnan(found[i].rho)) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::abs(found[a].rho) > std::abs(found[b].rho);
-    });
+    const std::vector<std::size_t> order = strongest_first(influences(columns, result));
     for (std::size_t j = 0; j < std::min(kResponseInputs, order.size()); ++j)
       figures.push_back(response_figure(columns, result, columns.ranked[order[j]],
                                         fmt::format("response-{}-{}", k, j)));

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/campaign/statistics_distribution.hpp"
 
 namespace retiarius {
 
@@ -80,10 +81,8 @@ void rank_inputs(ReportColumns& columns) {
                                                             : &columns.results.front();
   if (by == nullptr) return;
   std::vector<double> strength(columns.inputs.size(), 0.0);
-  for (std::size_t i : columns.ranked) {
-    const double rho = rank_correlation(columns.inputs[i], by->values).rho;
-    strength[i] = std::isnan(rho) ? 0.0 : std::abs(rho);
-  }
+  for (std::size_t i : columns.ranked)
+    strength[i] = influence(columns.inputs[i], by->values).strength();
   std::stable_sort(columns.ranked.begin(), columns.ranked.end(),
                    [&](std::size_t a, std::size_t b) { return strength[a] > strength[b]; });
 }
@@ -111,12 +110,37 @@ ReportColumns report_columns(const CampaignTable& table) {
   return columns;
 }
 
-std::vector<RankCorrelation> rank_correlations(const ReportColumns& columns,
-                                               const CampaignResult& result) {
-  std::vector<RankCorrelation> found;
-  for (std::size_t i : columns.ranked)
-    found.push_back(rank_correlation(columns.inputs[i], result.values));
+double Influence::strength() const {
+  return std::isnan(correlation.rho) ? 0.0 : std::abs(correlation.rho);
+}
+
+std::string Influence::name(const std::string& input) const {
+  return off_median ? input + " off its median" : input;
+}
+
+Influence influence(const std::vector<double>& input, const std::vector<double>& result) {
+  const double median = distribution(input).median;
+  std::vector<double> away;
+  for (double v : input) away.push_back(std::abs(v - median));
+  const Influence direct{rank_correlation(input, result), false};
+  const Influence folded{rank_correlation(away, result), true};
+  return folded.strength() > direct.strength() ? folded : direct;
+}
+
+std::vector<Influence> influences(const ReportColumns& columns, const CampaignResult& result) {
+  std::vector<Influence> found;
+  for (std::size_t i : columns.ranked) found.push_back(influence(columns.inputs[i], result.values));
   return found;
+}
+
+std::vector<std::size_t> strongest_first(const std::vector<Influence>& found) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (!std::isnan(found[k].correlation.rho)) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return found[a].strength() > found[b].strength();
+  });
+  return order;
 }
 
 std::string short_number(double value) {

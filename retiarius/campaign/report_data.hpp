@@ -40,9 +40,22 @@ struct ReportColumns {
 // ids do not ascend.
 ReportColumns report_columns(const CampaignTable& table);
 
-// The result's rank correlation with each input of `ranked`, in its order.
-std::vector<RankCorrelation> rank_correlations(const ReportColumns& columns,
-                                               const CampaignResult& result);
+// How a result goes with an input. What is best in the middle of an input, as with an error of aim
+// to either side, has no rank correlation with the input itself but one with the distance from its
+// median; the stronger of the two is taken.
+struct Influence {
+  RankCorrelation correlation;
+  bool off_median = false;  // of the distance from the median
+  double strength() const;  // |rho|, 0 where there is none
+  std::string name(const std::string& input) const;
+};
+Influence influence(const std::vector<double>& input, const std::vector<double>& result);
+
+// Of each input of `ranked`, in its order.
+std::vector<Influence> influences(const ReportColumns& columns, const CampaignResult& result);
+
+// Indices of `found` with a correlation, the strongest first.
+std::vector<std::size_t> strongest_first(const std::vector<Influence>& found);
 
 // A number as a reader wants it, four digits.
 std::string short_number(double value);

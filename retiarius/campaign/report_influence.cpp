@@ -56,26 +56,21 @@ void draw_index(Panel& panel, std::size_t row, double offset, double value,
 
 CampaignFigure tornado_figure(const ReportColumns& columns, const CampaignResult& result,
                               const std::string& id) {
-  const std::vector<RankCorrelation> found = rank_correlations(columns, result);
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (!std::isnan(found[k].rho)) order.push_back(k);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::abs(found[a].rho) > std::abs(found[b].rho);
-  });
+  const std::vector<Influence> found = influences(columns, result);
+  std::vector<std::size_t> order = strongest_first(found);
   order.resize(std::min(order.size(), kMostRows));
   std::vector<std::string> names;
   double reach = 0.2;
   for (std::size_t k : order) {
-    names.push_back(columns.table->inputs[columns.ranked[k]]);
-    const Interval& i = found[k].interval;
+    names.push_back(found[k].name(columns.table->inputs[columns.ranked[k]]));
+    const Interval& i = found[k].correlation.interval;
     reach = std::max({reach, -i.low, i.high});
   }
   Panel panel({-reach, reach}, names, "rank correlation");
   const ChartPaint& paint = page_paint();
   std::string said;
   for (std::size_t row = 0; row < order.size(); ++row) {
-    const RankCorrelation& r = found[order[row]];
+    const RankCorrelation& r = found[order[row]].correlation;
     const bool clear = !r.interval.contains(0.0);
     panel.row_bar(row, 0.0, 16.0, 0.0, r.rho, paint.series[r.rho < 0.0 ? 1 : 0],
                   clear ? 0.8 : 0.25);

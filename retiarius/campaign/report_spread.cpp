@@ -125,8 +125,11 @@ CampaignFigure response_figure(const ReportColumns& columns, const CampaignResul
   panel.line(at, means, paint.ink);
   for (std::size_t k = 0; k < at.size(); ++k)
     panel.marker(1, at[k], means[k], 2.6, paint.ink, true);
-  const RankCorrelation r = rank_correlation(x, y);
-  std::string said = fmt::format("Rank correlation {}", short_number(r.rho));
+  const Influence found = influence(x, y);
+  const RankCorrelation& r = found.correlation;
+  std::string said = fmt::format("Rank correlation {}{}",
+                                 found.off_median ? "with the distance from the median " : "",
+                                 short_number(r.rho));
   if (!std::isnan(r.rho))
     said += fmt::format(" ({} to {})", short_number(r.interval.low), short_number(r.interval.high));
   said += ".";

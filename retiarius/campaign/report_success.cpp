@@ -188,8 +188,9 @@ CampaignFigure success_points(const ReportColumns& columns, std::size_t x_input,
   if (unanswered) panel.legend("no answer", 5, paint.ink);
   const std::string title = fmt::format("Runs over {} and {}", x_name, y_name);
   return {title, panel.svg(title, "One marker a run.", id),
-          every == 1 ? "One marker a run."
-                     : fmt::format("One marker a run, every {}th of {} runs.", every, runs)};
+          every == 1
+              ? "One marker a run."
+              : fmt::format("One marker a run; one in {} of {} runs is drawn.", every, runs)};
 }
 
 CampaignFigure success_along(const ReportColumns& columns, std::size_t input,

@@ -45,7 +45,7 @@ Panel::Panel(const Extent& x, const Extent& y, std::string x_label, std::string 
 
 Panel::Panel(const Extent& x, std::vector<std::string> rows, std::string x_label)
     : x_label_(std::move(x_label)), rows_(std::move(rows)) {
-  frame_.x = linear_axis(widened(x), 6, true);
+  frame_.x = linear_axis(widened(x), 6, false);
   frame_.y = {false, 0.0, 1.0, {}, {}, {}, 0};
   double widest = 0.0;
   for (const std::string& row : rows_) widest = std::max(widest, text_width(row, kChartFont));
@@ -129,8 +129,8 @@ void Panel::text(double x, double y, const std::string& content, double size,
 void Panel::legend(const std::string& name, int shape, const std::string& color, double opacity) {
   const std::string sample = shape < 0 ? fmt::format(
                                              "<rect x=\"-5\" y=\"-5\" width=\"10\" height=\"10\" "
-                                             "style=\"fill:{};fill-opacity:{:.2f}\"/>",
-                                             color, opacity)
+                                             "style=\"fill:{};fill-opacity:{:.2f};stroke:{}\"/>",
+                                             color, opacity, page_paint().soft)
                                        : "<g stroke-width=\"1.2\">" +
                                              marker_svg(static_cast<std::size_t>(shape), 0, 0, 3.5,
                                                         color, shape == 0 ? color : "none") +
