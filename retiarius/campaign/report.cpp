@@ -23,10 +23,11 @@ constexpr std::size_t kTornados = 6, kSobols = 4, kHistograms = 12;
 constexpr const char* kOwnStyle = R"css(
 .wide .charts{grid-template-columns:repeat(auto-fit,minmax(min(100%,300px),1fr))}
 .facts{margin:.2em 0 1.4em;padding:0;list-style:none;color:var(--soft);font-size:.9rem}
+.more td{border-top:0;padding-top:0;font-size:.88rem}
 .command{display:block;margin-top:.2em;overflow-wrap:anywhere;font-size:.8rem}
 @media print{.verdict,article{border-color:#bbb}article{border:0;padding:6px 0}
 .charts{grid-template-columns:1fr 1fr!important}.wide .charts{grid-template-columns:1fr 1fr 1fr!important}
-main{padding:0}h2{break-after:avoid}}
+thead th{overflow-wrap:anywhere}table{font-size:.8rem}main{padding:0}h2{break-after:avoid}}
 )css";
 
 std::string figure_html(const CampaignFigure& figure) {

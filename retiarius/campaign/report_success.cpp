@@ -87,7 +87,7 @@ void draw_cell(Panel& panel, const Cells& cells, std::size_t i, std::size_t j,
     return;
   }
   panel.text(x, y, fmt::format("{:.0f} %", 100.0 * count.rate()), 13, paint.ink, 0);
-  panel.text(x, y, fmt::format("of {}", count.answered), 10, paint.soft, 12);
+  panel.text(x, y, fmt::format("of {}", count.answered), 10, paint.ink, 12);
 }
 
 }  // namespace

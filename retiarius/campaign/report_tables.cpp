@@ -40,33 +40,44 @@ std::size_t quality_column(const CampaignTable& table) {
   return table.measures.size();
 }
 
+std::size_t shown_inputs(const ReportColumns& columns) {
+  return std::min(kMostInputs, columns.ranked.size());
+}
+std::size_t shown_measures(const ReportColumns& columns) {
+  return std::min(kMostMeasures, columns.results.size());
+}
+
 std::string run_html(const ReportColumns& columns, const CampaignRow& row) {
   std::string html =
       fmt::format("<tr{}><th scope=\"row\">{}</th><td data-l=\"outcome\">{}</td>",
                   row.success ? "" : " class=\"missed\"", row.id, escape_html(row.outcome));
-  for (std::size_t k = 0; k < std::min(kMostInputs, columns.ranked.size()); ++k)
+  for (std::size_t k = 0; k < shown_inputs(columns); ++k)
     html += fmt::format("<td data-l=\"{}\">{}</td>",
                         escape_html(columns.table->inputs[columns.ranked[k]]),
                         short_number(row.inputs[columns.ranked[k]]));
-  for (std::size_t k = 0; k < std::min(kMostMeasures, columns.results.size()); ++k)
+  for (std::size_t k = 0; k < shown_measures(columns); ++k)
     html += fmt::format("<td data-l=\"{}\">{}</td>", escape_html(columns.results[k].name),
                         short_number(row.measures[columns.results[k].measure]));
-  html += "<td data-l=\"reason and command\">" + escape_html(row.reason);
-  if (!row.command.empty())
-    html += fmt::format("<code class=\"command\">{}</code>", escape_html(row.command));
-  html += "</td><td data-l=\"replay\">";
+  html += "<td data-l=\"replay\">";
   if (!row.replay.empty())
     html += fmt::format("<a href=\"{}\">replay</a>", escape_html(row.replay));
+  html += "</td></tr>";
+  if (row.reason.empty() && row.command.empty()) return html;
+  // A line of its own across the table, so that it fits on paper.
+  html += fmt::format("<tr class=\"more{}\"><td colspan=\"{}\">{}", row.success ? "" : " missed",
+                      3 + shown_inputs(columns) + shown_measures(columns), escape_html(row.reason));
+  if (!row.command.empty())
+    html += fmt::format("<code class=\"command\">{}</code>", escape_html(row.command));
   return html + "</td></tr>";
 }
 
 std::string run_heading(const ReportColumns& columns) {
   std::string html = "<thead><tr><th>run</th><th>outcome</th>";
-  for (std::size_t k = 0; k < std::min(kMostInputs, columns.ranked.size()); ++k)
+  for (std::size_t k = 0; k < shown_inputs(columns); ++k)
     html += fmt::format("<th>{}</th>", escape_html(columns.table->inputs[columns.ranked[k]]));
-  for (std::size_t k = 0; k < std::min(kMostMeasures, columns.results.size()); ++k)
+  for (std::size_t k = 0; k < shown_measures(columns); ++k)
     html += fmt::format("<th>{}</th>", escape_html(columns.results[k].name));
-  return html + "<th>reason, command that repeats it</th><th></th></tr></thead>";
+  return html + "<th></th></tr></thead>";
 }
 
 std::string reasons_html(const CampaignTable& table) {
