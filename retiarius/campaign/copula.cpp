@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/campaign/normal.hpp"
+#include "retiarius/campaign/statistics.hpp"
 
 namespace retiarius {
 

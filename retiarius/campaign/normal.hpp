@@ -1,13 +1,9 @@
-// The standard normal distribution.
+// The standard normal distribution; its quantile is in statistics.hpp.
 #pragma once
 
 namespace retiarius {
 
 // Share of all values below x.
 double normal_share(double x);
-
-// The value that a share of all values, strictly between 0 and 1, lies below; the inverse of
-// normal_share() within a few units of the last digit.
-double normal_quantile(double share);
 
 }  // namespace retiarius
