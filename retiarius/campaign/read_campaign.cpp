@@ -57,6 +57,7 @@ CampaignSpec parse_campaign(const std::string& text, const std::string& name,
   CampaignSpec campaign;
   campaign.folder = folder;
   root.read(campaign_table(), campaign);
+  campaign.sets_place = places.of("set");
   const auto plan = root.table("plan");
   if (!plan) throw InputError(root.place(), "plan is missing: add a table [plan]");
   plan->read(plan_table(), campaign.plan);

@@ -86,6 +86,7 @@ struct CampaignSpec {
   std::string title;
   std::string mission;            // file, relative to the campaign's
   std::vector<std::string> sets;  // overrides of every run, "path=value"
+  SourcePlace sets_place;
   std::string kernels = "auto";
   PlanSpec plan;
   std::vector<VariableSpec> variables;
