@@ -99,7 +99,7 @@ void write_runs(Database& out, const std::vector<std::string>& inputs,
     }
   };
   while (rows.step()) {
-    int at = 0;
+    int at = 0;  // of the column before
     insert.bind(++at, rows.integer(0));
     const std::vector<double> values = inputs_of(rows.text(2));
     for (std::size_t i = 0; i < inputs.size(); ++i) insert.bind(++at, values.at(i));
@@ -115,8 +115,8 @@ void write_runs(Database& out, const std::vector<std::string>& inputs,
     for (const std::string& name : measures) bind_measure(insert, ++at, found, name);
     text_or_null(++at, rows.text(7));
     insert.bind(++at, rows.integer(1));
-    insert.bind(++at, rows.text(8)).bind(at + 1, rows.text(9));
-    ++at;
+    insert.bind(++at, rows.text(8));
+    insert.bind(++at, rows.text(9));
     text_or_null(++at, rows.text(10));
     insert.run();
   }

@@ -108,7 +108,7 @@ RunRecord planned_record(const Campaign& campaign, std::int64_t id) {
 }
 
 std::optional<RunRecord> execute_run(const Campaign& campaign, std::int64_t id,
-                                     const std::filesystem::path& folder,
+                                     const RecorderMaker& make_recorder,
                                      const std::atomic<bool>* stop) {
   const auto started = std::chrono::steady_clock::now();
   RunRecord record = planned_record(campaign, id);
@@ -133,16 +133,27 @@ std::optional<RunRecord> execute_run(const Campaign& campaign, std::int64_t id,
     refuse(record, "there is not enough memory to build it");
     return finish();
   }
-  KeptResults kept(campaign.spec().keep, id, folder, *mission);
   RunLimits limits(campaign.spec().limits, stop);
-  Watched watched(limits, kept.recorder());
+  Watched watched(limits, make_recorder(*mission));
   options.stop = &limits.stopping();
   const RunReport report = run_mission(*mission, *model, watched, options);
   watched.rethrow();
   if (limits.reached() == Reached::outside) return std::nullopt;
   take(record, report, limits, campaign.spec().limits);
-  record.kept = kept.settle(record.success.value_or(false));
   return finish();
+}
+
+std::optional<RunRecord> execute_and_keep(const Campaign& campaign, std::int64_t id,
+                                          const std::filesystem::path& folder,
+                                          const std::atomic<bool>* stop) {
+  std::optional<KeptResults> kept;
+  const auto make_recorder = [&](const Mission& mission) {
+    kept.emplace(campaign.spec().keep, id, folder, mission);
+    return kept->recorder();
+  };
+  std::optional<RunRecord> record = execute_run(campaign, id, make_recorder, stop);
+  if (record && kept) record->kept = kept->settle(record->success.value_or(false));
+  return record;
 }
 
 void clean_measures(RunRecord& record) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 
 #include "retiarius/campaign/collect.hpp"
@@ -132,17 +133,16 @@ void export_csv(const fs::path& path, const fs::path& csv) {
   Database database(path);
   check_collected(database);
   const Columns columns = read_columns(database);
-  const auto count = static_cast<int>(columns.all.size());
-  std::string text;
-  for (int at = 0; at < count; ++at)
-    text += (at > 0 ? "," : "") + csv_field(columns.all[static_cast<std::size_t>(at)]);
-  text += "\r\n";
+  std::vector<std::string> fields;
+  for (const std::string& name : columns.all) fields.push_back(csv_field(name));
+  std::string text = fmt::format("{}\r\n", fmt::join(fields, ","));
   OutputFile file(csv);
   Statement rows = database.prepare("SELECT * FROM runs ORDER BY id");
   constexpr std::size_t kPiece = 1u << 20;
   while (rows.step()) {
-    for (int at = 0; at < count; ++at) text += (at > 0 ? "," : "") + cell(rows, at);
-    text += "\r\n";
+    for (std::size_t at = 0; at < fields.size(); ++at)
+      fields[at] = cell(rows, static_cast<int>(at));
+    text += fmt::format("{}\r\n", fmt::join(fields, ","));
     if (text.size() < kPiece) continue;
     file.write(text);
     text.clear();

@@ -143,6 +143,43 @@ Progress read_progress(const fs::path& folder, const Campaign& campaign) {
   return progress;
 }
 
+std::vector<std::string> content_lines(const RunRecord& record) {
+  std::vector<std::string> lines = {"outcome " + record.outcome, "reason " + record.reason,
+                                    "inputs " + inputs_text(record.inputs),
+                                    fmt::format("seed {}", record.seed)};
+  const RunState state = run_state(record.success);
+  lines.push_back(fmt::format("success {}", state == kNoAnswer  ? "-"
+                                            : state == kSuccess ? "1"
+                                                                : "0"));
+  for (const Measure& measure : record.measures)
+    lines.push_back(measure.name + " " + measures_text({measure}));
+  lines.push_back("missing " + record.missing);
+  return lines;
+}
+
+std::optional<RunRecord> find_record(const fs::path& folder, const Campaign& campaign,
+                                     std::int64_t id) {
+  for (const fs::path& path : find_shards(folder)) {
+    Database shard(path);
+    if (!check_shard(shard, campaign.identity())) continue;
+    Statement row = shard.prepare(
+        "SELECT seed, inputs, outcome, reason, success, measures, missing FROM runs WHERE id = ?");
+    row.bind(1, id);
+    if (!row.step()) continue;
+    RunRecord record;
+    record.id = id;
+    record.seed = row.integer(0);
+    record.inputs = inputs_of(row.text(1));
+    record.outcome = row.text(2);
+    record.reason = row.text(3);
+    if (!row.is_null(4)) record.success = row.integer(4) != 0;
+    record.measures = measures_of(row.text(5));
+    record.missing = row.text(6);
+    return record;
+  }
+  return std::nullopt;
+}
+
 std::string inputs_text(const std::vector<double>& inputs) { return Json(inputs).dump(); }
 
 std::vector<double> inputs_of(const std::string& text) {

@@ -58,6 +58,13 @@ struct Progress {
 // Reads all shards of the folder. Throws InputError as check_shard() does.
 Progress read_progress(const std::filesystem::path& folder, const Campaign& campaign);
 
+// What a record says of the run itself, a line each; as far as repeating it must give the same.
+std::vector<std::string> content_lines(const RunRecord& record);
+
+// The record of a run in the folder's shards; host and timings are left out. None: it is not done.
+std::optional<RunRecord> find_record(const std::filesystem::path& folder, const Campaign& campaign,
+                                     std::int64_t id);
+
 // JSON of inputs and measures; numbers read back to the same bits.
 std::string inputs_text(const std::vector<double>& inputs);
 std::vector<double> inputs_of(const std::string& text);

@@ -55,7 +55,7 @@ void serve(const Campaign& campaign, const WorkerTask& task) {
     // "ID ATTEMPT"
     std::size_t used = 0;
     const std::int64_t id = std::stoll(*order, &used);
-    std::optional<RunRecord> record = execute_run(campaign, id, task.folder);
+    std::optional<RunRecord> record = execute_and_keep(campaign, id, task.folder);
     if (!record) return;
     record->engine = task.engine;
     record->attempts = std::stoll(order->substr(used));
