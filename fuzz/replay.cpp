@@ -11,10 +11,6 @@ namespace {
 
 using namespace retiarius;
 
-// Bytes of the codec's memory that a header may ask for here; a header is not bound by the size of
-// its file, since the frames may be still to come.
-constexpr std::size_t kMostNodes = 10000;
-
 std::string_view taken(std::string_view& bytes) {
   if (bytes.empty()) return {};
   const std::size_t length = static_cast<unsigned char>(bytes.front());
@@ -25,7 +21,6 @@ std::string_view taken(std::string_view& bytes) {
 }
 
 void decode_frames(const ReplayHeader& header, std::string_view rest) {
-  if (header.shape.nodes > kMostNodes || header.shape.bodies > kMostNodes) return;
   ReplayCodec codec(header.shape, header.scales);
   // A frame is a fixed part as it stands and a zlib stream; here the stream is given inflated.
   while (!rest.empty()) {
