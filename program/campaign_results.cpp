@@ -36,7 +36,7 @@ Collected collect_all(const CollectArguments& arguments) {
   const fs::path folder = arguments.campaign.folder();
   require_results(folder);
   const Collected collected = collect(campaign, folder);
-  if (!arguments.csv.empty()) export_csv(folder / "campaign.sqlite", arguments.csv);
+  if (!arguments.csv.empty()) export_rows(folder / "campaign.sqlite", arguments.csv);
   return collected;
 }
 
