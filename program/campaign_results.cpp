@@ -36,7 +36,7 @@ Collected collect_all(const CollectArguments& arguments) {
   const fs::path folder = arguments.campaign.folder();
   require_results(folder);
   const Collected collected = collect(campaign, folder);
-  if (!arguments.csv.empty()) export_csv(folder / "campaign.sqlite", arguments.csv);
+  if (!arguments.csv.empty()) export_rows(folder / "campaign.sqlite", arguments.csv);
   return collected;
 }
 
@@ -50,7 +50,7 @@ void collect_command(const CollectArguments& arguments) {
 void report_command(const CollectArguments& arguments) {
   collect_all(arguments);
   const fs::path folder = arguments.campaign.folder();
-  // write_campaign_report(read_table(folder / "campaign.sqlite"), folder / "campaign.html");
+  write_campaign_report(read_table(folder / "campaign.sqlite"), folder / "campaign.html");
   print(fmt::format("report: {}\n", (folder / "campaign.html").string()));
 }
 

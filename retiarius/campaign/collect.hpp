@@ -32,7 +32,7 @@ CampaignTable read_table(const std::filesystem::path& database);
 
 // Table `runs` as CSV (RFC 4180) with a header; absent values are empty, numbers read back to the
 // same bits.
-void export_csv(const std::filesystem::path& database, const std::filesystem::path& csv);
+void export_rows(const std::filesystem::path& database, const std::filesystem::path& csv);
 
 // What a row of the collected database says of a run, for comparisons: every column of `runs` as
 // text; empty where there is no such run.

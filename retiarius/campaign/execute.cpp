@@ -136,7 +136,14 @@ std::optional<RunRecord> execute_run(const Campaign& campaign, std::int64_t id,
   RunLimits limits(campaign.spec().limits, stop);
   Watched watched(limits, make_recorder(*mission));
   options.stop = &limits.stopping();
-  const RunReport report = run_mission(*mission, *model, watched, options);
+  RunReport report;
+  try {
+    report = run_mission(*mission, *model, watched, options);
+  } catch (const Error& error) {
+    watched.rethrow();
+    report.outcome = Outcome::failed;
+    report.reason = error.what();
+  }
   watched.rethrow();
   if (limits.reached() == Reached::outside) return std::nullopt;
   take(record, report, limits, campaign.spec().limits);

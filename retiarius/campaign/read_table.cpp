@@ -129,7 +129,7 @@ CampaignTable read_table(const fs::path& path) {
   return table;
 }
 
-void export_csv(const fs::path& path, const fs::path& csv) {
+void export_rows(const fs::path& path, const fs::path& csv) {
   Database database(path);
   check_collected(database);
   const Columns columns = read_columns(database);

@@ -156,7 +156,10 @@ class Override {
     for (const KeyInfo* k : find_table(plain)->keys) {
       if (k->name == last.name) key = k;
     }
-    if (!key) parse_value(plain, last.name);  // names the unknown key
+    if (!key) {
+      parse_value(plain, last.name);  // names the unknown key
+      fail(fmt::format("{} is a table, not a list of numbers", name));
+    }
     if (key->type != KeyType::vec3 && key->type != KeyType::numbers) {
       fail(fmt::format("{} is no list of numbers; write it without brackets", name));
     }
