@@ -57,6 +57,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_render_command(app);
   add_view_command(app);
   add_converge_command(app, code);
+  add_check_contact_command(app, code);
   add_verify_command(app, code);
   add_bench_command(app);
   add_docs_command(app);
