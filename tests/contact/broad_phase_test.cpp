@@ -147,7 +147,8 @@ TEST(BroadPhase, MissesNoPairThatComesNear) {
 
 // Thread on thread the candidates are exactly those whose swept boxes overlap.
 TEST(BroadPhase, OfThreadsIsThatOfAllPairsOfBoxes) {
-  constexpr double kMargin = 0.02;
+  constexpr double kMargin = 0.1;
+  std::size_t count = 0;
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
     const MovingScene s(seed, 20, 20);
     const ThreadNeighbours neighbours(s.net);
@@ -171,8 +172,9 @@ TEST(BroadPhase, OfThreadsIsThatOfAllPairsOfBoxes) {
     const CollisionScene threads{s.scene.net, {}};
     BroadPhase broad(threads, &neighbours, {true, {}});
     EXPECT_EQ(broad.find(s.x, s.dx, {}, kMargin), expected);
-    EXPECT_GT(expected.size(), 100u);
+    count += expected.size();
   }
+  EXPECT_GT(count, 100u);
 }
 
 TEST(BroadPhase, IsTheSameForAnyNumberOfThreads) {
