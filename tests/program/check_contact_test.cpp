@@ -26,7 +26,7 @@ TEST(CheckContactCommand, PassesARunWithoutBodiesAndCountsEveryStep) {
       0);
   const ProcessResult result = folder.run({"check-contact", "run"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("motions between them   20"));
+  EXPECT_THAT(result.out, HasSubstr("motions between them    20"));
 }
 
 TEST(CheckContactCommand, FindsWhatWentThroughAPanel) {
