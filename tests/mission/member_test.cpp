@@ -71,8 +71,8 @@ Lines members(const ProbeSpec& spec) {
   return {"name", "node"};
 }
 Lines members(const OutputSpec& spec) {
-  [[maybe_unused]] const auto& [interval, frame_interval] = spec;
-  return {"interval", "frame_interval"};
+  [[maybe_unused]] const auto& [interval, frame_interval, every_step] = spec;
+  return {"interval", "frame_interval", "every_step"};
 }
 Lines members(const Mission& spec) {
   [[maybe_unused]] const auto& [title, seed, net, targets, environment, integrator, contact, phases,
