@@ -11,8 +11,8 @@ RETIARIUS_FUZZ_TARGET(bytes) {
     const CampaignSpec campaign = parse_campaign(std::string(bytes), "c.toml", "/nonexistent");
     const CampaignPlan plan(campaign);
     fuzz::require(plan.runs() > 0, "a campaign without runs");
-    for (std::int64_t id : {std::int64_t{0}, std::min<std::int64_t>(7, plan.runs() - 1),
-                            plan.runs() - 1}) {
+    for (std::int64_t id :
+         {std::int64_t{0}, std::min<std::int64_t>(7, plan.runs() - 1), plan.runs() - 1}) {
       const PlannedRun run = plan.run(id);
       fuzz::require(run.inputs == plan.run(id).inputs, "a run's inputs change");
     }
