@@ -24,9 +24,9 @@ cleanup() {
   rm -rf -- "$work"
 }
 trap cleanup EXIT
-wait_for() { # DESCRIPTION COMMAND...: until it succeeds, a minute at most
+wait_for() { # DESCRIPTION COMMAND...: until it succeeds, five minutes at most
   local what="$1"; shift
-  for _ in $(seq 600); do "$@" >/dev/null 2>&1 && return; sleep 0.1; done
+  for _ in $(seq 3000); do "$@" >/dev/null 2>&1 && return; sleep 0.1; done
   printf 'slurm-test.sh: %s did not come about\n' "$what" >&2
   tail -n 20 "$work"/*.log >&2 || true
   exit 1
