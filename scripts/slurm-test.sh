@@ -89,7 +89,7 @@ cat >"$work/m.toml" <<'MISSION'
 [net]
 pattern = "hexagon"
 side = 1.0
-mesh = 0.25
+mesh = 0.125
 segments = 2
 [net.thread]
 young_modulus = 1.0e6
@@ -102,11 +102,13 @@ shape = "sphere"
 radius = 0.2
 mass = 10.0
 position = [0.0, 0.0, -0.3]
+[contact]
+method = "modified-mass"
 [integrator]
 step = 0.01
 [[phase]]
 kind = "free"
-until = "time >= 1.0"
+until = "time >= 0.3"
 MISSION
 cat >"$work/c.toml" <<'CAMPAIGN'
 mission = "m.toml"

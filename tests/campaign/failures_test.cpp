@@ -169,6 +169,23 @@ TEST(Status, TellsHowFarItIs) {
   EXPECT_EQ(folder.run({"campaign", "run", "c.toml", "--ids", "x", "--out", "o"}).exit_code, 2);
 }
 
+TEST(Plan, ReadyCampaignsFitTheirMissions) {
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(RETIARIUS_SOURCE_DIR "/missions/campaigns")) {
+    const std::string text = [&] {
+      std::ifstream file(entry.path());
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    }();
+    if (text.find("[plan]") == std::string::npos) continue;
+    const ProcessResult result = WorkFolder().run({"campaign", "plan", entry.path().string()});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    ++count;
+  }
+  EXPECT_GE(count, 1);
+}
+
 TEST(Plan, UnknownPathIsRefusedAtItsPlace) {
   const WorkFolder folder;
   write_list(folder, "net.thread.radus", "[1]");
