@@ -16,6 +16,8 @@ namespace retiarius {
 
 namespace {
 
+constexpr int kEarlyDeaths = 50;  // of workers in a row, before any run
+
 // In the child, between fork and exec: only calls that are safe there.
 [[noreturn]] void become_worker(int orders, int answers, pid_t parent, char* const* arguments) {
   // The child ends with its coordinator, however that ends.
@@ -184,7 +186,15 @@ std::optional<WorkerProcess::Finished> WorkerProcess::take_death() {
     return record_end("killed", fmt::format("its process died in each of {} attempts, the last "
                                             "time by {}",
                                             attempts, ending));
-  if (was_ready) ++attempt_;
+  if (was_ready) {
+    ++attempt_;
+    died_early_ = 0;
+  } else if (++died_early_ > kEarlyDeaths) {
+    throw RunError(
+        fmt::format("workers end before they begin, {} in a row, the last with {}; is "
+                    "there enough memory?",
+                    died_early_, ending));
+  }
   start();
   send();
   return std::nullopt;

@@ -71,6 +71,7 @@ class WorkerProcess {
   std::string failure_;
   std::optional<std::int64_t> id_;
   std::int64_t attempt_ = 0;
+  int died_early_ = 0;
   Clock::time_point begun_;
 };
 
