@@ -26,6 +26,7 @@ Repeat run_once(const Network& network, const Settings& settings) {
   integrator.step = settings.h;
   integrator.tolerance = 1e-6;
   integrator.solver = settings.solver;
+  integrator.newton = settings.newton;
   simulation.configure({{0.0, 0.0, -50.0}, 0.1}, integrator, {});
   std::vector<Prescribed> held;
   for (Index corner : network.corners)

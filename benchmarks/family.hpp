@@ -40,6 +40,7 @@ struct Settings {
   int steps = 100;
   int repeats = 5;
   Solver solver = Solver::automatic;
+  Newton newton = Newton::converged;
 };
 
 // Steps the member from the flat start and times it; CPU idle besides, as far as one can have it.

@@ -71,6 +71,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   ++steps_;
   iterations_ += report.iterations;
   substeps_ += report.substeps;
+  if (report.single) ++unconverged_;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);
 }

@@ -31,6 +31,11 @@ const Table<IntegratorSpec>& integrator_table() {
             "how the equations of a step are solved: with a new factorisation for every iteration "
             "(direct) or with one kept while it serves (reuse); auto takes reuse where all threads "
             "carry compression"),
+       word("newton", &IntegratorSpec::newton,
+            {{"converged", Newton::converged}, {"single", Newton::single}},
+            "implicit only: iterate each step until tolerance is met, or take one Newton update "
+            "and go on (linearly implicit, for real time: steps are not converged; implicit Euler, "
+            "threads that carry compression, no contact)"),
        key("step", &IntegratorSpec::step, "s", "h; divides output.interval").above(0),
        key("substep", &IntegratorSpec::substep, "s",
            "explicit only: the longest sub-step; each step is cut into equal ones below it and "

@@ -20,6 +20,16 @@ const char* to_string(Method method) {
   return "";
 }
 
+std::string single_update_refusal(const IntegratorSpec& integrator, const ContactSpec& contact,
+                                  bool bodies) {
+  if (integrator.newton != Newton::single) return {};
+  if (integrator.method != Method::implicit_euler)
+    return "needs method = \"implicit-euler\", whose damping it relies on";
+  if (bodies && contact.method != ContactMethod::none)
+    return "needs contact.method = \"none\": contacts take more than one iteration to settle";
+  return {};
+}
+
 Step make_step(Method method, const State& start, double h) {
   Step s;
   s.start = &start;

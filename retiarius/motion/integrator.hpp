@@ -1,14 +1,21 @@
 // The time integrators, each reduced to one stage position that a step solves for.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "retiarius/contact/spec.hpp"
 #include "retiarius/motion/spec.hpp"
 #include "retiarius/state/step.hpp"
 
 namespace retiarius {
 
 const char* to_string(Method method);
+
+// Why a single Newton update cannot serve with this integrator and contact, to follow the setting's
+// name; empty where it can. bodies: whether there are any to touch.
+std::string single_update_refusal(const IntegratorSpec& integrator, const ContactSpec& contact,
+                                  bool bodies);
 
 // The step of length h from `start` by a dynamic method; the coefficients that laws see.
 //

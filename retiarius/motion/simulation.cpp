@@ -66,6 +66,7 @@ void Simulation::add_law(std::unique_ptr<Law> law) {
 void Simulation::configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                            const ContactSpec& contact) {
   environment_ = environment;
+  check_newton(integrator, contact);
   integrator_ = integrator;
   contact_ = contact;
   laws_.resize(lasting_laws_);
@@ -89,6 +90,20 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
     response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
                                                contact.friction);
+}
+
+// A single update without line search holds where stiffness grows no more than the quadratic model
+// foresees; a thread that jumps from slack to taut, or a contact that closes, is not of that kind.
+void Simulation::check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const {
+  if (integrator.newton != Newton::single) return;
+  if (const std::string why = single_update_refusal(integrator, contact, !bodies_->empty());
+      !why.empty())
+    throw Error("integrator.newton = \"single\" " + why);
+  for (const Material& m : network_->materials)
+    if (!m.compression)
+      throw Error(
+          "integrator.newton = \"single\" needs threads that carry compression: a single "
+          "update takes tension-only ones far beyond where they become taut");
 }
 
 // Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
@@ -169,6 +184,7 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   start.contact = bodies_held_ ? nullptr : response_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
+  start.linear = integrator_.newton == Newton::single;
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
@@ -179,7 +195,9 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
   settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;
   settings.reuse = reuses_factors();
-  const NewtonResult result = minimise(*problem_, settings);
+  report.single = integrator_.newton == Newton::single;
+  const NewtonResult result =
+      report.single ? update_once(*problem_) : minimise(*problem_, settings);
   report.iterations += result.iterations;
   report.factorisations += result.factorisations;
   report.projections += result.projections;

@@ -33,6 +33,7 @@ struct StepReport {
   int projections = 0;  // of the Hessian
   int substeps = 0;     // of the explicit integrator; 0 by any other
   int unsettled = 0;    // of these, solves of contacts that did not settle
+  bool single = false;  // by a single Newton update, which is not converged
 };
 
 // The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number
@@ -51,7 +52,8 @@ class Simulation {
   Simulation(const Network& network, const std::vector<Body>& bodies, State state,
              LawWrapper wrap = {});
 
-  // Sets surroundings, integrator and contact for the steps that follow.
+  // Sets surroundings, integrator and contact for the steps that follow. Throws Error where a
+  // single Newton update (see Newton) is asked for and cannot serve.
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                  const ContactSpec& contact);
 
@@ -95,6 +97,7 @@ class Simulation {
   std::vector<Vec3> start_acceleration();
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
+  void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);

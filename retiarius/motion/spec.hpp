@@ -9,6 +9,10 @@ enum class Method { implicit_euler, newmark, midpoint, explicit_differences, sta
 // one kept while it serves (reuse). automatic: reuse where all threads carry compression.
 enum class Solver { automatic, direct, reuse };
 
+// How far the equations of an implicit step are solved: to the tolerance, or by one Newton update
+// from where the velocities lead (linearly implicit: quicker, for real time, never converged).
+enum class Newton { converged, single };
+
 struct IntegratorSpec {
   Method method = Method::implicit_euler;
   double step = 0.01;  // h, s
@@ -16,6 +20,7 @@ struct IntegratorSpec {
   double substep = 0.0;
   double tolerance = 1.0e-8;  // of Newton's iteration
   Solver solver = Solver::automatic;
+  Newton newton = Newton::converged;
   int max_iterations = 50;  // Newton iterations of one step before it is halved
   int max_halvings = 10;    // of a step before the run fails
 };

@@ -304,6 +304,7 @@ bool StepProblem::find_direction() {
 bool StepProblem::factorise() {
   const Stopwatch watch(times_.factor);
   build_borders();
+  if (start_.linear) keep_rows();
   filter_matrix();
   if (!solver_->factor(matrix_)) return false;
   if (!touching_.empty()) {
@@ -408,6 +409,30 @@ double StepProblem::slope() const {
 void StepProblem::move(double fraction) {
   for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = base_y_[i] + fraction * dy_[i];
   for (std::size_t b = 0; b < b_.size(); ++b) b_[b] = base_b_[b] + fraction * db_[b];
+}
+
+// The blocks that couple each constrained node to its neighbours, one after the other.
+void StepProblem::keep_rows() {
+  kept_rows_.clear();
+  for (const Constraint& c : constraints_) {
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
+      const Mat3& block = matrix_.below[neighbours_[s].slot];
+      kept_rows_.push_back(neighbours_[s].row ? Mat3(block) : Mat3(block.transpose()));
+    }
+  }
+}
+
+// Constrained nodes do not move in the direction: they are where their targets are.
+void StepProblem::linearise() {
+  std::vector<Vec3>& force = base_y_;  // not needed any more
+  const Mat3* block = kept_rows_.data();
+  for (const Constraint& c : constraints_) {
+    force[c.node] = gradient_[c.node];
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s, ++block)
+      force[c.node] += *block * dy_[neighbours_[s].node];
+  }
+  std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
+  for (const Constraint& c : constraints_) gradient_[c.node] = force[c.node];
 }
 
 double StepProblem::direction_size() const {

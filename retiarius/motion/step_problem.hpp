@@ -54,6 +54,7 @@ class StepProblem final : public NewtonProblem {
     ContactResponse* contact = nullptr;  // null: none
     double tolerance = 1e-8;             // of the residual, relative
     double force_floor = 0.0;            // N, round-off of the forces
+    bool linear = false;                 // linearise() will be asked for; nodes follow no bodies
   };
   void begin(Start start);
 
@@ -64,6 +65,7 @@ class StepProblem final : public NewtonProblem {
   void reuse_direction() override;
   double slope() const override;
   void move(double fraction) override;
+  void linearise() override;
   double direction_size() const override;
   double residual_ratio() const override;
   bool revise(bool full) override;
@@ -101,6 +103,7 @@ class StepProblem final : public NewtonProblem {
   void build_borders();
   void build_border_diagonal();
   void filter_matrix();
+  void keep_rows();
   bool factorise();
   void solve_for_direction();
   void solve_bordered();
@@ -132,6 +135,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   double largest_force_ = 0.0;
   BlockMatrix matrix_;
+  std::vector<Mat3> kept_rows_;        // of constrained nodes, before the filter; see keep_rows()
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row

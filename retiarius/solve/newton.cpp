@@ -185,6 +185,29 @@ NewtonResult Iteration::run() {
 
 }  // namespace
 
+NewtonResult update_once(NewtonProblem& problem) {
+  NewtonResult result;
+  result.iterations = result.factorisations = 1;
+  if (!std::isfinite(problem.assemble(false))) {
+    result.failure = "the potential is not finite";
+    return result;
+  }
+  result.converged = problem.find_direction();
+  if (!result.converged) {
+    ++result.factorisations;
+    ++result.projections;
+    problem.assemble(true);
+    result.converged = problem.find_direction();
+  }
+  if (!result.converged) {
+    result.failure = "the projected matrix is not positive definite";
+    return result;
+  }
+  problem.move(1.0);
+  problem.linearise();
+  return result;
+}
+
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings) {
   return Iteration(problem, settings).run();
 }
