@@ -39,7 +39,9 @@ void EnvironmentDamping::account(const Step& step, const std::vector<Vec3>& y,
                                  const std::vector<Vec3>& x1, Exchange& exchange) const {
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     const Vec3 force = -mu_ * mass_[i] * mean_velocity(step, static_cast<Index>(i), y[i]);
-    exchange.environment_loss -= force.dot(x1[i] - step.start->x[i]);
+    const Vec3 way = x1[i] - step.start->x[i];
+    exchange.environment_loss -=
+        step.remembers() ? -mu_ * mass_[i] / step.h * way.squaredNorm() : force.dot(way);
     exchange.outside_impulse += step.h * force;
     exchange.outside_angular_impulse += step.h * y[i].cross(force);
   }

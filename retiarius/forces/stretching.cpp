@@ -16,6 +16,20 @@ double start_rate(const State& s, Index a, Index b, double rest_length) {
   return l > 0.0 ? e.dot(s.v[b] - s.v[a]) / (l * rest_length) : 0.0;
 }
 
+// Where the start's velocity leads a segment until the stage, the rate of its strain is that of the
+// stage velocities there; returned is what it has besides step.rate times the strain's change. The
+// stage itself lies away by O(h^2), and the rate is linear in that: it is of second order.
+double predicted_offset(const Step& step, Index a, Index b, double rest_length) {
+  const State& s = *step.start;
+  const double time = step.h / step.reach;
+  const Vec3 ya = s.x[a] + time * s.v[a], yb = s.x[b] + time * s.v[b];
+  const Vec3 e = yb - ya;
+  const double l = e.norm();
+  if (l == 0.0) return 0.0;
+  const Vec3 w = step.stage_velocity(b, yb) - step.stage_velocity(a, ya);
+  return (e.dot(w) / l - step.rate * (l - (s.x[b] - s.x[a]).norm())) / rest_length;
+}
+
 // The part of the strain rate that does not depend on the stage, 1/s. With it trapezoid and
 // midpoint are of second order: the midpoint's stage lies on the chord from x0 to x1, and a
 // segment that turns is shorter there by h^2 |P dv|^2 / 8l.
@@ -34,6 +48,8 @@ double rate_offset(const Step& step, Index a, Index b, double rest_length) {
       const double across = dv.squaredNorm() - std::pow(e.dot(dv), 2) / l2;
       return 0.25 * step.h * across / (std::sqrt(l2) * rest_length);
     }
+    case Step::StrainRate::predicted:
+      return predicted_offset(step, a, b, rest_length);
     case Step::StrainRate::backward:
     case Step::StrainRate::none:
       return 0.0;
@@ -131,9 +147,17 @@ double Stretching::assemble(const Step&, const std::vector<Vec3>& y, Assembly& o
   return sum(y, out.definite, element_sums(out));
 }
 
+// By the mean rate of the taut strain over the step, N; the tension is never a push where threads
+// cannot be compressed.
+double Stretching::mean_viscous(const Element& e, double end, double h) {
+  const double viscous = e.axial_stiffness * e.damping * (end - e.strain) / h;
+  const double elastic = 0.5 * e.axial_stiffness * (end + e.strain);
+  return e.compression ? viscous : std::max(viscous, -elastic);
+}
+
 // Viscous tension times elongation. The trapezoid's force over the step is the mean of those at its
 // two ends.
-void Stretching::account(const Step&, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
+void Stretching::account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                          Exchange& exchange) const {
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const Element& e = elements_[k];
@@ -144,6 +168,7 @@ void Stretching::account(const Step&, const std::vector<Vec3>& y, const std::vec
     const double taut_end = e.compression ? end : std::max(0.0, end);
     double viscous = tension(k, stage) - e.axial_stiffness * taut_stage;
     if (trapezoid_) viscous = 0.5 * (viscous + e.viscous);
+    if (step.remembers()) viscous = mean_viscous(e, taut_end, step.h);
     exchange.material_loss += viscous * e.rest_length * (taut_end - e.strain);
   }
 }

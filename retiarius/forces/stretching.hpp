@@ -53,6 +53,7 @@ class Stretching final : public Law {
     double viscous;  // viscous tension at the start, N (trapezoid only)
   };
   double tension(std::size_t element, double strain) const;
+  static double mean_viscous(const Element& e, double end, double h);
   double sum(const std::vector<Vec3>& y, bool definite, const kernels::ElementSums& out) const;
 
   std::vector<Element> elements_;

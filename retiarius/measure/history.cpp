@@ -73,6 +73,8 @@ const std::vector<HistoryColumn>& history_columns() {
       {"captured_share", "1",
        "share of the first target's surface inside the convex hull of the nodes; empty without one",
        [](const Row& r) { return or_nan(r.captured_share); }},
+      {"step_size", "s", "length of the last step; 0 before the first",
+       [](const Row& r) { return r.step_size; }},
   };
   return columns;
 }

@@ -72,6 +72,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   iterations_ += report.iterations;
   substeps_ += report.substeps;
   if (report.single) ++unconverged_;
+  step_size_ = report.h;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);
 }
@@ -152,6 +153,7 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
     const auto capture = measure_capture(bodies_->front(), state.bodies.front(), state.x);
     if (capture) r.captured_share = capture->share;
   }
+  r.step_size = step_size_;
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;
 }

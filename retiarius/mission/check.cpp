@@ -122,6 +122,18 @@ void check_targets(const Mission& mission, const Places& places) {
   }
 }
 
+// The explicit integrator's sub-steps follow the stable step and nothing else.
+void check_integrators(const Mission& mission, const Places& places) {
+  for (std::size_t i = 0; i < mission.phases.size(); ++i) {
+    const IntegratorSpec& integrator = mission.phases[i].integrator;
+    if (!integrator.adaptive || integrator.method != Method::explicit_differences) continue;
+    const std::string own = fmt::format("phase[{}].integrator.adaptive", i);
+    fail(places, places.has(own) ? own : "integrator.adaptive",
+         "= true: explicit steps are not adaptive; leave it out or take another "
+         "integrator.method");
+  }
+}
+
 void check_output(const Mission& mission, const Places& places) {
   const OutputSpec& output = mission.output;
   if (!is_multiple(output.frame_interval, output.interval)) {
@@ -131,7 +143,7 @@ void check_output(const Mission& mission, const Places& places) {
   }
   for (std::size_t i = 0; i < mission.phases.size(); ++i) {
     const IntegratorSpec& integrator = mission.phases[i].integrator;
-    if (integrator.method == Method::static_solve) continue;
+    if (integrator.method == Method::static_solve || integrator.adaptive) continue;
     if (is_multiple(output.interval, integrator.step)) continue;
     const std::string own = fmt::format("phase[{}].integrator.step", i);
     const std::string path = places.has(own) ? own : "integrator.step";
@@ -177,6 +189,7 @@ void check_mission(const Mission& mission, const Places& places) {
   check_net(mission, places);
   check_targets(mission, places);
   check_phases(mission, places);
+  check_integrators(mission, places);
   check_output(mission, places);
   check_newton(mission, places);
 }

@@ -268,16 +268,20 @@ bool MissionLoop::moves(const Phase& phase) const {
 
 void MissionLoop::advance(Phase& phase) {
   const double now = simulation_.state().time;
-  double end = next_on_grid(now, phase.spec->integrator.step);
+  const bool adaptive = phase.spec->integrator.adaptive;
+  double end = next_on_grid(now, adaptive ? mission_.output.interval : phase.spec->integrator.step);
+  if (const auto latest = phase.trigger.latest_time(phase_start_);
+      adaptive && latest && *latest > now + kSameTime)
+    end = std::min(end, *latest);
   for (const auto& action : phase.actions) {
     const auto event = action->next_event(now);
     if (event && *event > now + kSameTime && *event < end - kSameTime) end = *event;
   }
-  while (simulation_.state().time < end) {
+  do {
     const StepReport step =
         simulation_.advance(end, [&](double time) { return prescribe(phase, time); });
     after_step(phase, step);
-  }
+  } while (!adaptive && simulation_.state().time < end);
   bool acted = false;
   for (const auto& action : phase.actions) {
     const auto event = action->next_event(now);

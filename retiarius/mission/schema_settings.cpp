@@ -15,16 +15,18 @@ const Table<EnvironmentSpec>& environment_table() {
 const Table<IntegratorSpec>& integrator_table() {
   static const Table<IntegratorSpec> table(
       {"integrator", "How time is stepped. A phase may override it.", "", false, {}},
-      {word(
-           "method", &IntegratorSpec::method,
-           {{"implicit-euler", Method::implicit_euler},
-            {"newmark", Method::newmark},
-            {"midpoint", Method::midpoint},
-            {"explicit", Method::explicit_differences},
-            {"static", Method::static_solve}},
-           "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, explicit "
-           "central differences in sub-steps (for stiff nets of few segments a piece), or the "
-           "static equilibrium")
+      {word("method", &IntegratorSpec::method,
+            {{"implicit-euler", Method::implicit_euler},
+             {"newmark", Method::newmark},
+             {"midpoint", Method::midpoint},
+             {"generalised-alpha", Method::generalised_alpha},
+             {"tr-bdf2", Method::tr_bdf2},
+             {"explicit", Method::explicit_differences},
+             {"static", Method::static_solve}},
+            "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, "
+            "generalised alpha and TR-BDF2 (damp only what the step does not resolve), explicit "
+            "central differences in sub-steps (for stiff nets of few segments a piece), or the "
+            "static equilibrium")
            .not_yet({"auto"}),
        word("solver", &IntegratorSpec::solver,
             {{"auto", Solver::automatic}, {"direct", Solver::direct}, {"reuse", Solver::reuse}},
@@ -36,10 +38,27 @@ const Table<IntegratorSpec>& integrator_table() {
             "implicit only: iterate each step until tolerance is met, or take one Newton update "
             "and go on (linearly implicit, for real time: steps are not converged; implicit Euler, "
             "threads that carry compression, no contact)"),
-       key("step", &IntegratorSpec::step, "s", "h; divides output.interval").above(0),
+       key("step", &IntegratorSpec::step, "s",
+           "h; divides output.interval. Adaptive: the largest, which need not divide it")
+           .above(0),
        key("substep", &IntegratorSpec::substep, "s",
            "explicit only: the longest sub-step; each step is cut into equal ones below it and "
            "below nine tenths of the stable step; 0: that alone")
+           .at_least(0),
+       key("rho", &IntegratorSpec::rho, "",
+           "spectral radius of generalised alpha at infinite frequency: 1 damps nothing, 0 all "
+           "that is not resolved")
+           .at_least(0)
+           .up_to(1),
+       key("adaptive", &IntegratorSpec::adaptive, "",
+           "the step follows the local error, and ends on output rows and the phase's events"),
+       key("accuracy", &IntegratorSpec::accuracy, "",
+           "of adaptive steps: the local error of one step that is allowed, root mean square over "
+           "the nodes' positions, over the median rest length")
+           .above(0)
+           .up_to(1),
+       key("min_step", &IntegratorSpec::min_step, "s",
+           "the shortest adaptive step; 0: a thousandth of step")
            .at_least(0),
        key("tolerance", &IntegratorSpec::tolerance, "",
            "of Newton's iteration: of moves over the median rest length and of forces over the "
@@ -98,13 +117,14 @@ const Table<ProbeSpec>& probe_table() {
 }
 
 const Table<OutputSpec>& output_table() {
-  static const Table<OutputSpec> table({"output", "When results are written.", "", false, {}},
-                                       {key("interval", &OutputSpec::interval, "s",
-                                            "between rows of the history; a multiple of the step")
-                                            .above(0),
-                                        key("frame_interval", &OutputSpec::frame_interval, "s",
-                                            "between frames; a multiple of interval")
-                                            .above(0)});
+  static const Table<OutputSpec> table(
+      {"output", "When results are written.", "", false, {}},
+      {key("interval", &OutputSpec::interval, "s",
+           "between rows of the history; a multiple of the step unless that is adaptive")
+           .above(0),
+       key("frame_interval", &OutputSpec::frame_interval, "s",
+           "between frames; a multiple of interval")
+           .above(0)});
   return table;
 }
 

@@ -38,7 +38,7 @@ position = [0.0, 0.0, 4.0]     # m; the net starts at the origin
 spin_deg = [0.0, 5.0, 0.0]     # deg/s
 
 [integrator]
-method = "implicit-euler"      # implicit-euler | newmark | midpoint | static
+method = "implicit-euler"      # implicit-euler | newmark | midpoint | generalised-alpha | tr-bdf2 | static
 step = 0.002                   # s
 
 [contact]

@@ -19,7 +19,9 @@ namespace retiarius {
 // Cost: each node has a box within which it cannot touch, since distances change by no more than
 // the ways of node and body; only nodes outside their box are looked at. Near a surface, the plane
 // at the last query serves for a hundredth of the thread's radius r: the surface at distance r is
-// nowhere bent more than 1 / r, so the plane is wrong by less than r / 20,000 there.
+// nowhere bent more than 1 / r, so the plane is wrong by less than r / 20,000 there. Where the
+// query found a gap, it serves for nine tenths of that: neither the surface nor the plane can be
+// met there.
 class ExplicitContact {
  public:
   // radius: of the thread at each node, m.
@@ -105,6 +107,10 @@ class ExplicitContact {
   void solve_all(bool moves);
   double solve(Contact& c, double lack, bool moves);
   void leave(Contact& c, Account& account, Given& given);
+  void lift(Contact& c, Vec3 x, Given& given);
+  bool alone() const;
+  void settle_alone(Contact& c, Account& account, Given& given);
+  void stop_alone(Contact& c, double lack, Vec3& x, Vec3& v) const;
   double rounding(const Contact& c, bool moves) const;
   double gap_at(const Contact& c, const Vec3& at) const;
   Vec3 inward(Index body, const BodyState& pose, const Vec3& x) const;

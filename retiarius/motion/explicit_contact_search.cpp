@@ -10,6 +10,8 @@ namespace {
 
 // How far a plane serves, as a share of the thread's radius.
 constexpr double kPlaneReach = 0.01;
+// The same as a share of the gap that the query found.
+constexpr double kClearReach = 0.9;
 // Cosine between normals of one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostPathSteps = 400;
@@ -131,7 +133,8 @@ void ExplicitContact::look_for_entries() {
 // A new query where the old one no longer serves. A node that seems to have come to another side
 // is followed on its way there.
 void ExplicitContact::look_again(Contact& c, const Vec3& at) const {
-  const double reach = kPlaneReach * radius_[c.node];
+  const double r = radius_[c.node];
+  const double reach = std::max(kPlaneReach * r, kClearReach * (c.distance - r));
   if ((at - c.origin).squaredNorm() <= reach * reach) return;
   const Vec3 normal = c.normal;
   const double plane_gap = c.distance + normal.dot(at - c.origin) - radius_[c.node];

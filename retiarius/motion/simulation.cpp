@@ -31,6 +31,19 @@ std::vector<double> node_radii(const Network& network) {
   return radius;
 }
 
+// Books what the laws exchanged. Of outside impulses, `exchange` becomes what acts in this step:
+// its own part and what is carried from before.
+void book(const Step& step, const Exchange& carried, Exchange& exchange, Account& account) {
+  const double share = step.remembers() ? step.reaction_impulse() / step.h : 1.0;
+  exchange.outside_impulse = share * exchange.outside_impulse + carried.outside_impulse;
+  exchange.outside_angular_impulse =
+      share * exchange.outside_angular_impulse + carried.outside_angular_impulse;
+  account.material_loss += exchange.material_loss;
+  account.environment_loss += exchange.environment_loss;
+  account.outside_impulse += exchange.outside_impulse;
+  account.outside_angular_impulse += exchange.outside_angular_impulse;
+}
+
 }  // namespace
 
 State initial_state(const Network& network, const std::vector<Body>& bodies) {
@@ -43,7 +56,7 @@ State initial_state(const Network& network, const std::vector<Body>& bodies) {
 }
 
 Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, State state,
-                       LawWrapper wrap)
+                       LawWrapper wrap, std::unique_ptr<LinearSolver> solver)
     : network_(&network), bodies_(&bodies), state_(std::move(state)), wrap_(std::move(wrap)) {
   auto stretching = std::make_unique<Stretching>(network);
   stretching_ = stretching.get();
@@ -54,7 +67,7 @@ Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, 
     add_law(std::move(bending));
   }
   lasting_laws_ = laws_.size();
-  problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, make_multifrontal_solver());
+  problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, std::move(solver));
   length_scale_ = median_rest_length(network);
   tensions_ = stretching_->tensions(state_.x);
 }
@@ -65,6 +78,12 @@ void Simulation::add_law(std::unique_ptr<Law> law) {
 
 void Simulation::configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                            const ContactSpec& contact) {
+  // Accelerations belong to the surroundings and the method that they were made with.
+  const bool same = environment.gravity == environment_.gravity &&
+                    environment.damping == environment_.damping &&
+                    integrator.method == integrator_.method && integrator.rho == integrator_.rho;
+  if (configured_ && !same) forget_acceleration();
+  configured_ = true;
   environment_ = environment;
   check_newton(integrator, contact);
   integrator_ = integrator;
@@ -137,21 +156,6 @@ double Simulation::round_off_step() const {
   return 4.0 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
-std::vector<Vec3> Simulation::start_acceleration() {
-  Step at_start;
-  at_start.start = &state_;
-  at_start.carry = -1.0;
-  at_start.strain_rate = Step::StrainRate::start;
-  std::vector<Vec3> a(state_.x.size(), Vec3::Zero());
-  Assembly out{&a, nullptr, false};
-  for (const auto& law : laws_) {
-    law->prepare(at_start);
-    law->assemble(at_start, state_.x, out);
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] /= -network_->mass[i];
-  return a;
-}
-
 // Bodies fall exactly and tumble without torque; contact adds to that.
 std::vector<BodyState> Simulation::free_bodies(double h) const {
   if (bodies_held_) return state_.bodies;
@@ -168,19 +172,17 @@ std::vector<BodyState> Simulation::free_bodies(double h) const {
   return result;
 }
 
-bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport& report,
-                          std::string& failure) {
-  const double h = end - state_.time;
-  const Step step = make_step(integrator_.method, state_, h);
+bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
+                             const std::vector<Vec3>& past_change, double end,
+                             const PrescribedMotion& motion, StepReport& report,
+                             std::string& failure) {
   const std::vector<Prescribed> prescribed = motion ? motion(end) : std::vector<Prescribed>{};
-  std::vector<Vec3> acceleration;
-  if (integrator_.method == Method::newmark) acceleration = start_acceleration();
   StepProblem::Start start;
   start.step = &step;
-  start.predicted = predicted_stage(integrator_.method, step, acceleration);
+  start.predicted = std::move(predicted);
   start.guess = first_guess(integrator_.method, step);
   start.prescribed = &prescribed;
-  start.bodies = free_bodies(h);
+  start.bodies = free_bodies(step.h);
   start.contact = bodies_held_ ? nullptr : response_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
@@ -205,13 +207,27 @@ bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport
     failure = result.failure;
     return false;
   }
-  accept(step, prescribed, end);
-  report.h = h;
+  accept(step, prescribed, past_change, end);
   return true;
+}
+
+bool Simulation::try_step(double end, const PrescribedMotion& motion, StepReport& report,
+                          std::string& failure) {
+  const double h = end - state_.time;
+  carried_ = {};
+  const bool done = integrator_.method == Method::tr_bdf2
+                        ? try_two_stages(end, motion, report, failure)
+                        : try_one_stage(end, motion, report, failure);
+  if (done) report.h = h;
+  return done;
 }
 
 StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
   if (integrator_.method == Method::explicit_differences) return advance_explicitly(end, motion);
+  return integrator_.adaptive ? advance_adaptive(end, motion) : advance_fixed(end, motion);
+}
+
+StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion) {
   StepReport report;
   std::string failure;
   const double whole = end - state_.time;
@@ -232,7 +248,8 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
 }
 
 // Turns the solved stage into the next state and books what the step exchanged.
-void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed, double end) {
+void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
+                        const std::vector<Vec3>& past_change, double end) {
   const State old = state_;
   Step done = step;
   done.start = &old;
@@ -244,19 +261,32 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
   }
+  std::vector<Vec3> friction;
+  for (const Constraint& c : problem_->constraints())
+    friction.push_back(problem_->friction_force(c));
   State& now = state_;
   now.x = problem_->end_positions();
   now.bodies = problem_->end_bodies();
-  // The velocity from the positions, less what Newton's tolerance left as residual: linear
-  // momentum is then kept to round-off whatever the tolerance.
+  // The velocity that goes with the positions, less what Newton's tolerance left as residual:
+  // linear momentum is then kept to round-off whatever the tolerance.
   const double weight = step.reaction_impulse();
   std::vector<Vec3> residual = g;
-  for (const Constraint& c : problem_->constraints())
-    residual[c.node] -= c.blocked * residual[c.node];
+  const std::vector<Vec3>& predicted = problem_->predicted();
+  law_change_.resize(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
-    const Vec3 w = done.stage_velocity(static_cast<Index>(i), y[i]);
-    now.v[i] = old.v[i] + step.reach * (w - old.v[i]) - weight / network_->mass[i] * residual[i];
+    // reach (w - v0), which at the predicted stage is what forces of the past still give. Written
+    // so, the rounding of positions does not reach the momentum.
+    Vec3 change = step.rate * step.reach * (y[i] - predicted[i]);
+    if (!past_change.empty()) change += past_change[i];
+    now.v[i] = old.v[i] + change;
+    law_change_[i] = change - weight / network_->mass[i] * g[i];
   }
+  for (std::size_t k = 0; k < friction.size(); ++k) {
+    const Constraint& c = problem_->constraints()[k];
+    residual[c.node] -= c.blocked * residual[c.node];
+    law_change_[c.node] -= weight / network_->mass[c.node] * friction[k];
+  }
+  for (std::size_t i = 0; i < y.size(); ++i) now.v[i] -= weight / network_->mass[i] * residual[i];
   std::fill(now.support.begin(), now.support.end(), Vec3::Zero());
   move_prescribed(done, prescribed, old);
   now.touches.clear();
@@ -266,10 +296,8 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   }
   Exchange exchange;
   for (const auto& law : laws_) law->account(done, y, now.x, exchange);
-  now.account.material_loss += exchange.material_loss;
-  now.account.environment_loss += exchange.environment_loss;
-  now.account.outside_impulse += exchange.outside_impulse;
-  now.account.outside_angular_impulse += exchange.outside_angular_impulse;
+  book(done, carried_, exchange, now.account);
+  exchange_ = exchange;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     if ((*bodies_)[b].fixed || bodies_held_) continue;
     const Vec3 impulse = step.h * (*bodies_)[b].mass * environment_.gravity;
@@ -286,16 +314,10 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
 void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
                                  const State& old) {
   const std::vector<Vec3>& y = problem_->stage();
-  const std::vector<Vec3>& g = problem_->gradient();
-  const double weight = step.reaction_impulse();
   for (const Prescribed& p : prescribed) {
     const Index i = p.node;
     const double m = network_->mass[i];
-    // Impulse of the laws alone: what the integrator's velocity has, less the support's share.
-    const Vec3 w = step.stage_velocity(i, y[i]);
-    const Vec3 kinematic = old.v[i] + step.reach * (w - old.v[i]);
-    const Vec3 of_laws = m * (kinematic - old.v[i]) - weight * g[i];
-    const Vec3 support = m * (p.velocity - old.v[i]) - of_laws;
+    const Vec3 support = m * (p.velocity - old.v[i] - law_change_[i]);
     state_.x[i] = p.position;
     state_.v[i] = p.velocity;
     state_.support[i] = support / step.h;
@@ -306,11 +328,13 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
 }
 
 void Simulation::place(const std::vector<Vec3>& x) {
+  forget_acceleration();
   state_.x = x;
   std::fill(state_.v.begin(), state_.v.end(), Vec3::Zero());
 }
 
 void Simulation::kick(Index node, const Vec3& velocity) {
+  forget_acceleration();
   const double m = network_->mass[node];
   const Vec3 impulse = m * (velocity - state_.v[node]);
   state_.account.prescribed_work +=
@@ -352,6 +376,7 @@ StepReport Simulation::solve_static(const std::vector<Prescribed>& held) {
       h *= 0.25;
       continue;
     }
+    forget_acceleration();
     state_.x = problem_->stage();
     state_.support = std::vector<Vec3>(state_.x.size(), Vec3::Zero());
     for (const Prescribed& p : held) state_.support[p.node] = problem_->gradient()[p.node];

@@ -29,6 +29,9 @@ struct StepReport {
   double h = 0.0;      // s
   int iterations = 0;  // Newton's, those of failed attempts included
   int halvings = 0;    // before the step was accepted
+  int rejections = 0;  // of adaptive steps whose error was too large
+  // Local error that an adaptive step expects to have made, over integrator.accuracy.
+  double error = 0.0;
   int factorisations = 0;
   int projections = 0;  // of the Hessian
   int substeps = 0;     // of the explicit integrator; 0 by any other
@@ -49,8 +52,9 @@ class Simulation {
  public:
   // Network and bodies must outlive the simulation. `wrap` sees every law before it joins; what the
   // simulation reports of energies and tensions is that of its own laws.
+  // solver: of the linear equations; by default the one that suits the net.
   Simulation(const Network& network, const std::vector<Body>& bodies, State state,
-             LawWrapper wrap = {});
+             LawWrapper wrap = {}, std::unique_ptr<LinearSolver> solver = make_net_solver());
 
   // Sets surroundings, integrator and contact for the steps that follow. Throws Error where a
   // single Newton update (see Newton) is asked for and cannot serve.
@@ -62,7 +66,8 @@ class Simulation {
   void hold_bodies(bool held) { bodies_held_ = held; }
   bool bodies_held() const { return bodies_held_; }
 
-  // One accepted step towards time `end` (s); shorter where the whole did not converge. Throws
+  // One accepted step towards time `end` (s); shorter where the whole did not converge, or where
+  // the step is adaptive and the whole would be too inaccurate. Throws
   // RunError naming time, node and cause where no step of the smallest allowed length converges;
   // the state is then still the last accepted one.
   StepReport advance(double end, const PrescribedMotion& motion);
@@ -91,16 +96,33 @@ class Simulation {
 
  private:
   void add_law(std::unique_ptr<Law> law);
+  StepReport advance_fixed(double end, const PrescribedMotion& motion);
+  StepReport advance_adaptive(double end, const PrescribedMotion& motion);
   bool try_step(double end, const PrescribedMotion& motion, StepReport& report,
                 std::string& failure);
   StepReport advance_explicitly(double end, const PrescribedMotion& motion);
-  std::vector<Vec3> start_acceleration();
+  bool try_one_stage(double end, const PrescribedMotion& motion, StepReport& report,
+                     std::string& failure);
+  bool try_two_stages(double end, const PrescribedMotion& motion, StepReport& report,
+                      std::string& failure);
+  // past_change: of each node's velocity by forces of the past alone, m/s; empty: none.
+  bool solve_stage(const Step& step, std::vector<Vec3> predicted,
+                   const std::vector<Vec3>& past_change, double end, const PrescribedMotion& motion,
+                   StepReport& report, std::string& failure);
+  void start_up();
+  void follow_paths(const std::vector<Prescribed>& prescribed, const Step& step,
+                    std::vector<Vec3>& drift, std::vector<Vec3>& predicted) const;
+  void forget_acceleration() { state_.memory.acceleration.clear(); }
+  void remember_acceleration(double h);
+  double local_error(std::vector<Vec3> error) const;
+  std::vector<Vec3> start_acceleration(Exchange& outside);
   std::vector<BodyState> free_bodies(double h) const;
   double round_off_step() const;
   void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
-  void accept(const Step& step, const std::vector<Prescribed>& prescribed, double end);
+  void accept(const Step& step, const std::vector<Prescribed>& prescribed,
+              const std::vector<Vec3>& past_change, double end);
   void move_prescribed(const Step& step, const std::vector<Prescribed>& prescribed,
                        const State& old);
 
@@ -121,6 +143,12 @@ class Simulation {
   double stable_step_ = 0.0;  // of the explicit integrator, s
   std::unique_ptr<ExplicitContact> explicit_contact_;
   std::vector<double> tensions_;
+  // Of the last stage: what the laws alone changed of each node's velocity, m/s; what their outside
+  // forces exchanged, as they state it; and what of earlier ones acts on the next stage.
+  std::vector<Vec3> law_change_;
+  Exchange exchange_, carried_;
+  double local_error_ = 0.0;  // of the last adaptive step, over the median rest length
+  bool configured_ = false;
   bool bodies_held_ = false;
   double length_scale_ = 0.0;  // median rest length, m
 };

@@ -3,7 +3,15 @@
 
 namespace retiarius {
 
-enum class Method { implicit_euler, newmark, midpoint, explicit_differences, static_solve };
+enum class Method {
+  implicit_euler,
+  newmark,
+  midpoint,
+  generalised_alpha,
+  tr_bdf2,
+  explicit_differences,
+  static_solve
+};
 
 // How a step's equations are solved: with a new factorisation for every iteration (direct), or with
 // one kept while it serves (reuse). automatic: reuse where all threads carry compression.
@@ -21,6 +29,12 @@ struct IntegratorSpec {
   double tolerance = 1.0e-8;  // of Newton's iteration
   Solver solver = Solver::automatic;
   Newton newton = Newton::converged;
+  double rho = 0.9;  // spectral radius of generalised alpha at infinite frequency, 0 to 1
+  bool adaptive = false;
+  // Local error that an adaptive step may make: root mean square over the nodes of the error of
+  // position, over the median rest length.
+  double accuracy = 1.0e-3;
+  double min_step = 0.0;    // of adaptive steps, s; 0: a thousandth of `step`, their largest
   int max_iterations = 50;  // Newton iterations of one step before it is halved
   int max_halvings = 10;    // of a step before the run fails
 };

@@ -399,6 +399,13 @@ void StepProblem::solve_bordered() {
   }
 }
 
+void StepProblem::filter(std::vector<Vec3>& x) const {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] *= start_.step->inertia * mass_[i];
+  for (const Constraint& c : constraints_) x[c.node] -= c.blocked * x[c.node];
+  solver_->solve(x);
+  for (const Constraint& c : constraints_) x[c.node] -= c.blocked * x[c.node];
+}
+
 double StepProblem::slope() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < dy_.size(); ++i) sum += gradient_[i].dot(dy_[i]);

@@ -71,6 +71,7 @@ class StepProblem final : public NewtonProblem {
   bool revise(bool full) override;
 
   const std::vector<Vec3>& stage() const { return y_; }
+  const std::vector<Vec3>& predicted() const { return start_.predicted; }
   std::vector<Vec3> end_positions() const;
   std::vector<BodyState> end_bodies() const;
   // Gradient: at blocked directions the force of the constraint on the node, elsewhere what the
@@ -83,6 +84,9 @@ class StepProblem final : public NewtonProblem {
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
   const WorkTimes& work_times() const { return times_; }
+  // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
+  // stay where they are.
+  void filter(std::vector<Vec3>& x) const;
 
  private:
   // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes

@@ -108,8 +108,17 @@ void transfer(Archive& a, std::vector<Element>& list) {
 }
 
 template <class Archive>
+void transfer(Archive& a, Memory& m) {
+  auto& [acceleration, outside_force, outside_moment, next_step] = m;
+  transfer(a, acceleration);
+  transfer(a, outside_force);
+  transfer(a, outside_moment);
+  a.value(next_step);
+}
+
+template <class Archive>
 void transfer(Archive& a, State& s) {
-  auto& [time, step, x, v, bodies, touches, support, account] = s;
+  auto& [time, step, x, v, bodies, touches, support, account, memory] = s;
   a.value(time);
   a.value(step);
   transfer(a, x);
@@ -118,6 +127,7 @@ void transfer(Archive& a, State& s) {
   transfer(a, touches);
   transfer(a, support);
   transfer(a, account);
+  transfer(a, memory);
 }
 
 std::string payload_of(State state) {

@@ -14,7 +14,7 @@
 
 namespace retiarius {
 
-inline constexpr std::uint32_t kCheckpointFormat = 1;
+inline constexpr std::uint32_t kCheckpointFormat = 2;
 
 // 64-bit FNV-1a of the bytes (Fowler, Noll and Vo; the constants of RFC 9923).
 std::uint64_t fnv1a(std::string_view bytes);

@@ -37,4 +37,11 @@ std::unique_ptr<LinearSolver> make_reference_solver();
 // Multifrontal 3x3-block Cholesky under nested dissection.
 std::unique_ptr<LinearSolver> make_multifrontal_solver();
 
+// The inner nodes of a net's pieces in vectors, eight pieces at once, then the rest by the
+// multifrontal solver.
+std::unique_ptr<LinearSolver> make_piece_solver();
+
+// The better of the two by the counts of the pattern; name() tells which.
+std::unique_ptr<LinearSolver> make_net_solver();
+
 }  // namespace retiarius

@@ -38,6 +38,17 @@ struct Account {
   Vec3 outside_angular_impulse = Vec3::Zero();  // the same about the origin, N m s
 };
 
+// What a time integrator carries from step to step besides positions and velocities. Empty and zero
+// at a start; an integrator that finds nothing here starts up from the present forces.
+struct Memory {
+  // Of generalised alpha: each node's acceleration by the laws alone, m/s2; empty: not known.
+  std::vector<Vec3> acceleration;
+  // What outside forces have in the sum of m times those, N, and their moment about the origin.
+  Vec3 outside_force = Vec3::Zero();
+  Vec3 outside_moment = Vec3::Zero();
+  double next_step = 0.0;  // that an adaptive step would try next, s; 0: none yet
+};
+
 struct State {
   double time = 0.0;      // s, since the mission's start
   std::int64_t step = 0;  // accepted steps since the mission's start
@@ -47,6 +58,7 @@ struct State {
   std::vector<Touch> touches;  // ordered by node
   std::vector<Vec3> support;   // force of supports on each node at the end of the last step, N
   Account account;
+  Memory memory;
 };
 
 }  // namespace retiarius

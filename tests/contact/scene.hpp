@@ -62,7 +62,8 @@ inline ContactSpec touching(double friction = 0.0) {
   return {ContactMethod::modified_mass, friction};
 }
 
-inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
-                                      Method::explicit_differences};
+inline constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark,
+                                      Method::midpoint,       Method::generalised_alpha,
+                                      Method::tr_bdf2,        Method::explicit_differences};
 
 }  // namespace retiarius::testing

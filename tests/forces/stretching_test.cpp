@@ -74,13 +74,13 @@ TEST_P(StretchingDerivatives, AgreeWithFiniteDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, StretchingDerivatives,
-    ::testing::Values(Case{Method::implicit_euler, true, 0.0},
-                      Case{Method::implicit_euler, true, 0.02}, Case{Method::newmark, true, 0.02},
-                      Case{Method::midpoint, true, 0.02}, Case{Method::static_solve, true, 0.02},
-                      Case{Method::implicit_euler, false, 0.0},
-                      Case{Method::implicit_euler, false, 0.02}, Case{Method::newmark, false, 0.02},
-                      Case{Method::midpoint, false, 0.02},
-                      Case{Method::static_solve, false, 0.02}));
+    ::testing::Values(
+        Case{Method::implicit_euler, true, 0.0}, Case{Method::implicit_euler, true, 0.02},
+        Case{Method::newmark, true, 0.02}, Case{Method::midpoint, true, 0.02},
+        Case{Method::generalised_alpha, true, 0.02}, Case{Method::generalised_alpha, false, 0.02},
+        Case{Method::static_solve, true, 0.02}, Case{Method::implicit_euler, false, 0.0},
+        Case{Method::implicit_euler, false, 0.02}, Case{Method::newmark, false, 0.02},
+        Case{Method::midpoint, false, 0.02}, Case{Method::static_solve, false, 0.02}));
 
 TEST(Stretching, TwoNodesPullWithEAStrain) {
   const Network net = chain({{0, 0, 0}, {2, 0, 0}}, thread_material(kEA, 0.1));
@@ -100,7 +100,8 @@ TEST(Stretching, TwoNodesPullWithEAStrain) {
 
 // Kelvin-Voigt: T = EA (eps + tau deps/dt). Constant rate of extension v / l0.
 TEST(Stretching, ViscousTensionOfAPulledSegment) {
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint}) {
+  for (Method method :
+       {Method::implicit_euler, Method::newmark, Method::midpoint, Method::generalised_alpha}) {
     const double tau = 0.03, v = 0.4, l0 = 2.0;
     Material m = thread_material(kEA, 0.1);
     m.damping = tau;
@@ -138,7 +139,8 @@ TEST(Stretching, TensionAtTheStartCountsItsVelocity) {
 // slope allows), is never negative, and the potential is convex in the strain.
 TEST(Stretching, TensionOnlyIsContinuousAndConvex) {
   Random random(3);
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint}) {
+  for (Method method :
+       {Method::implicit_euler, Method::newmark, Method::midpoint, Method::generalised_alpha}) {
     const Network net = four_nodes(false, 0.02);
     for (int trial = 0; trial < 50; ++trial) {
       const State start = random_state(net, random, 0.03, 2.0);
@@ -202,7 +204,8 @@ TEST(Stretching, InternalForcesHaveNoResultant) {
   Random random(5);
   const Network net = four_nodes(true, 0.02);
   const State start = random_state(net, random, 0.1, 2.0);
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint}) {
+  for (Method method :
+       {Method::implicit_euler, Method::newmark, Method::midpoint, Method::generalised_alpha}) {
     const Step step = make_step(method, start, kH);
     Stretching law(net);
     law.prepare(step);

@@ -110,7 +110,9 @@ TEST(BadMission, UnknownKeysAndWords) {
         "\"triangle\", \"polygon\", \"file\", did you mean hexagon?"},
        {kLeast + "[integrator]\nmethod = \"implicit_euler\"\n",
         "m.toml:15:10: integrator.method = \"implicit_euler\": must be one of \"implicit-euler\", "
-        "\"newmark\", \"midpoint\", \"explicit\", \"static\", did you mean implicit-euler?"}});
+        "\"newmark\", \"midpoint\", \"generalised-alpha\", \"tr-bdf2\", \"explicit\", \"static\", "
+        "did you mean "
+        "implicit-euler?"}});
 }
 
 TEST(BadMission, WhatIsNotAvailable) {
@@ -165,6 +167,13 @@ TEST(BadMission, Triggers) {
                  {with("\"time >= 2.0\"", "\"time \\u003E\\u003E 2\""),
                   "m.toml:13: phase[0].until = \"time >> 2\": at character 7: expected a number, "
                   "found \">\""}});
+}
+
+TEST(BadMission, ExplicitStepsAreNotAdaptive) {
+  expect_errors(
+      {{kLeast + "[integrator]\nmethod = \"explicit\"\nadaptive = true\n",
+        "m.toml:16:12: integrator.adaptive = true: explicit steps are not adaptive; leave "
+        "it out or take another integrator.method"}});
 }
 
 TEST(BadMission, OutputMustFallOnSteps) {

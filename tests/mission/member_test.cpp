@@ -43,10 +43,10 @@ Lines members(const EnvironmentSpec& spec) {
   return {"gravity", "damping"};
 }
 Lines members(const IntegratorSpec& spec) {
-  [[maybe_unused]] const auto& [method, step, substep, tolerance, solver, newton, max_iterations,
-                                max_halvings] = spec;
-  return {"method", "step",   "substep",        "tolerance",
-          "solver", "newton", "max_iterations", "max_halvings"};
+  [[maybe_unused]] const auto& [method, step, substep, tolerance, solver, newton, rho, adaptive,
+                                accuracy, min_step, max_iterations, max_halvings] = spec;
+  return {"method", "step",     "substep",  "tolerance", "solver",         "newton",
+          "rho",    "adaptive", "accuracy", "min_step",  "max_iterations", "max_halvings"};
 }
 Lines members(const ContactSpec& spec) {
   [[maybe_unused]] const auto& [method, friction] = spec;

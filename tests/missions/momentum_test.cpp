@@ -57,7 +57,8 @@ TEST_P(SoftNet, LinearMomentumIsConstantThroughContact) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, SoftNet,
-                         ::testing::Values("implicit-euler", "newmark", "midpoint"),
+                         ::testing::Values("implicit-euler", "newmark", "midpoint",
+                                           "generalised-alpha", "tr-bdf2"),
                          [](const auto& method) {
                            std::string name = method.param;
                            for (char& c : name)

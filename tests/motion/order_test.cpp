@@ -11,7 +11,8 @@ namespace {
 
 using namespace retiarius::testing;
 
-constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint};
+constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
+                               Method::generalised_alpha, Method::tr_bdf2};
 const std::vector<Body> kNoBodies;
 
 struct Problem {
@@ -143,7 +144,8 @@ TEST(Energy, ImplicitEulersOwnLossIsNeverNegativeForTensionOnlyNets) {
 // order: it falls about fourfold as h is halved, and is small.
 TEST(Energy, AccountClosesToSecondOrder) {
   const Network net = flying_net(Pattern::square, 2, true, 2e-3, 0.05);
-  for (Method method : {Method::newmark, Method::midpoint}) {
+  for (Method method :
+       {Method::newmark, Method::midpoint, Method::generalised_alpha, Method::tr_bdf2}) {
     double remainder[2];
     double lost = 0.0;
     for (int k = 0; k < 2; ++k) {

@@ -14,7 +14,8 @@ namespace {
 
 using namespace retiarius::testing;
 
-constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint};
+constexpr Method kDynamic[] = {Method::implicit_euler, Method::newmark, Method::midpoint,
+                               Method::generalised_alpha, Method::tr_bdf2};
 const std::vector<Body> kNoBodies;
 
 IntegratorSpec by(Method method) {

@@ -110,6 +110,9 @@ TEST(SingleUpdate, IsRefusedWhereItWouldExplode) {
   EXPECT_THAT(refusal(soft, linearly_implicit(), true, {ContactMethod::modified_mass, 0.1}),
               HasSubstr("needs contact.method = \"none\""));
   EXPECT_EQ(refusal(soft, linearly_implicit(), false, {ContactMethod::modified_mass, 0.1}), "");
+  IntegratorSpec adaptive = linearly_implicit();
+  adaptive.adaptive = true;
+  EXPECT_THAT(refusal(soft, adaptive, false, {}), HasSubstr("needs adaptive = false"));
   IntegratorSpec newmark = linearly_implicit();
   newmark.method = Method::newmark;
   EXPECT_THAT(refusal(soft, newmark, false, {}), HasSubstr("needs method = \"implicit-euler\""));

@@ -22,6 +22,10 @@ State small_state() {
   s.x[1].y() = -0.0;
   s.account.prescribed_work = 1.0 / 3.0;
   s.account.outside_angular_impulse = Vec3(4, 5, 6);
+  s.memory.acceleration.assign(s.x.size(), Vec3(0.1, -9.81, 1e9));
+  s.memory.outside_force = Vec3(7, 8, 9);
+  s.memory.outside_moment = Vec3(-7, 0.3, 9);
+  s.memory.next_step = 1.25e-3;
   return s;
 }
 
@@ -59,6 +63,10 @@ void expect_same_bits(const State& a, const State& b) {
   EXPECT_EQ(a.account.prescribed_work, b.account.prescribed_work);
   EXPECT_EQ(a.account.outside_impulse, b.account.outside_impulse);
   EXPECT_EQ(a.account.outside_angular_impulse, b.account.outside_angular_impulse);
+  EXPECT_EQ(a.memory.acceleration, b.memory.acceleration);
+  EXPECT_EQ(a.memory.outside_force, b.memory.outside_force);
+  EXPECT_EQ(a.memory.outside_moment, b.memory.outside_moment);
+  EXPECT_EQ(a.memory.next_step, b.memory.next_step);
 }
 
 // Published test vectors of the 64-bit FNV-1a hash.
@@ -100,7 +108,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
               HasSubstr("ends too early"));
   bytes[8] = 9;
   EXPECT_EQ(error_text<InputError>([&] { decode_checkpoint(bytes, "c"); }),
-            "cannot use the checkpoint c: it has format 9, this version reads format 1");
+            "cannot use the checkpoint c: it has format 9, this version reads format 2");
 }
 
 TEST(ReadCheckpoint, UsesThePreviousOneWhenTheNewestIsTornAtAnyByte) {

@@ -139,6 +139,7 @@ HistoryRow SampleRun::row(double time) const {
   r.peak_strain = 1e-3 * std::exp(-time);
   if (time > 0.25) r.smallest_distance = 1.2 - time / 3.0;
   r.newton_iterations = 4 * r.step;
+  r.step_size = 0.01;
   r.probes = {{Vec3(0.1, 1.0 / 3.0, time), Vec3(0, 0, 0)}, {Vec3(1, 1, time), Vec3(-1, 0, 2.5)}};
   return r;
 }

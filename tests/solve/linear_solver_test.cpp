@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "tests/solve/graphs.hpp"
 
 namespace retiarius {
@@ -203,7 +204,8 @@ TEST_P(LinearSolverTest, KeepsRightHandSidesApart) {
 
 INSTANTIATE_TEST_SUITE_P(Solvers, LinearSolverTest,
                          testing::Values(Maker{"reference", make_reference_solver},
-                                         Maker{"multifrontal", make_multifrontal_solver}),
+                                         Maker{"multifrontal", make_multifrontal_solver},
+                                         Maker{"pieces", make_piece_solver}),
                          [](const auto& each) { return each.param.name; });
 
 TEST(MultifrontalSolver, AgreesWithTheReference) {
@@ -220,6 +222,38 @@ TEST(MultifrontalSolver, AgreesWithTheReference) {
     slow->solve(expected);
     EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name;
   }
+}
+
+TEST(PieceSolver, AgreesWithTheReferenceOnEveryInstructionSet) {
+  const auto fast = make_piece_solver(), slow = make_reference_solver();
+  for (const std::string_view kernels : available_kernels()) {
+    set_kernels(std::string(kernels));
+    for (const auto& [name, pattern] : test::all_patterns()) {
+      const BlockMatrix matrix = test::random_matrix(pattern, 73);
+      fast->analyse(pattern);
+      slow->analyse(pattern);
+      ASSERT_TRUE(fast->factor(matrix)) << name;
+      ASSERT_TRUE(slow->factor(matrix)) << name;
+      std::vector<Vec3> x = test::random_vector(3 * pattern.blocks(), 74);
+      std::vector<Vec3> expected = x;
+      fast->solve(x);
+      slow->solve(expected);
+      EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name << kernels;
+    }
+  }
+  set_kernels("auto");
+}
+
+TEST(NetSolver, TakesPiecesWhereMostNodesAreInnerOnes) {
+  const auto chosen = [](const BlockPattern& pattern) {
+    const auto solver = make_net_solver();
+    solver->analyse(pattern);
+    return std::string(solver->name());
+  };
+  EXPECT_EQ(chosen(test::hexagon_net(4, 10, test::Bend::hinged)), "pieces");
+  EXPECT_EQ(chosen(test::hexagon_net(12, 1)), "multifrontal");
+  EXPECT_EQ(chosen(test::grid(40, 40)), "multifrontal");
+  EXPECT_EQ(chosen(test::chain(300)), "multifrontal");
 }
 
 }  // namespace

@@ -73,10 +73,38 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return most;
 }
 
-// From the last three runs, whose steps halve: the errors of orders 1 and 2, or 2 and 4, taken
-// away.
-std::vector<Vec3> extrapolated(const std::vector<std::vector<Vec3>>& ends, bool first_order) {
-  const double p = first_order ? 2.0 : 4.0, q = first_order ? 4.0 : 16.0;
+// What a scheme's error looks like, and how far its order and its extrapolated end may be off.
+struct Expansion {
+  double order = 2.0, next = 4.0;
+  double order_bound = 0.01;
+  double quick_bound = 1e-8, bound = 1e-10;  // m
+  const char* order_reason = "the error's next term is of fourth order";
+  const char* reason = "of sixth order, but for Newton's tolerance of 1e-11";
+};
+
+Expansion expansion(Method method) {
+  if (method == Method::implicit_euler)
+    return {1.0,
+            2.0,
+            0.05,
+            1e-4,
+            2e-6,
+            "the error's next term moves it by a few per cent",
+            "of third order: a few (omega h)^3 m with the fastest omega of 25 rad/s"};
+  if (method == Method::generalised_alpha || method == Method::tr_bdf2)
+    return {2.0,
+            3.0,
+            0.01,
+            1e-8,
+            1e-10,
+            "the error's next term, of third order, moves it by less than a per cent",
+            "of fourth order, but for Newton's tolerance of 1e-11"};
+  return {};
+}
+
+// From the last three runs, whose steps halve: the two leading terms of the error taken away.
+std::vector<Vec3> extrapolated(const std::vector<std::vector<Vec3>>& ends, const Expansion& e) {
+  const double p = std::exp2(e.order), q = std::exp2(e.next);
   const std::size_t last = ends.size() - 1;
   std::vector<Vec3> limit = ends[last];
   for (std::size_t i = 0; i < limit.size(); ++i) {
@@ -99,8 +127,9 @@ void compare(Context& context, const Problem& p) {
   chart.y_label = "largest error of a node / m";
   chart.log_x = chart.log_y = true;
   const int levels = context.quick() ? 4 : 6;
-  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint}) {
-    const bool first = method == Method::implicit_euler;
+  for (Method method : {Method::implicit_euler, Method::newmark, Method::midpoint,
+                        Method::generalised_alpha, Method::tr_bdf2}) {
+    const Expansion wanted = expansion(method);
     Curve curve{to_string(method), {}, {}, CurveStyle::line};
     std::vector<std::vector<Vec3>> ends;
     for (int level = 0; level < levels; ++level) {
@@ -111,16 +140,11 @@ void compare(Context& context, const Problem& p) {
     }
     const double last = curve.y.back(), before = curve.y[curve.y.size() - 2];
     context.absolute(fmt::format("{}: order of {}", p.name, to_string(method)), "1",
-                     std::log2(before / last), first ? 1.0 : 2.0, first ? 0.05 : 0.01,
-                     first ? "the error's next term moves it by a few per cent"
-                           : "the error's next term is of fourth order",
-                     "theory of the scheme");
-    const double bound = first ? (context.quick() ? 1e-4 : 2e-6) : (context.quick() ? 1e-8 : 1e-10);
+                     std::log2(before / last), wanted.order, wanted.order_bound,
+                     wanted.order_reason, "theory of the scheme");
     context.absolute(fmt::format("{}: end by {}, extrapolated", p.name, to_string(method)), "m",
-                     distance(extrapolated(ends, first), exact), 0.0, bound,
-                     first
-                         ? "of third order: a few (omega h)^3 m with the fastest omega of 25 rad/s"
-                         : "of sixth order, but for Newton's tolerance of 1e-11");
+                     distance(extrapolated(ends, wanted), exact), 0.0,
+                     context.quick() ? wanted.quick_bound : wanted.bound, wanted.reason);
     chart.curves.push_back(curve);
   }
   for (int order : {1, 2}) {
