@@ -38,15 +38,14 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
   contacts_.reserve(radius_.size() * bodies_->size());
   drift_ = 0.0;
   unsettled_ = 0;
+  any_far_ = true;
   for (std::size_t i = 0; i < radius_.size(); ++i) {
     const Index node = static_cast<Index>(i);
     if ((*nodes_.held)[i]) continue;
     for (std::size_t b = 0; b < free_.size(); ++b) {
       const Index body = static_cast<Index>(b);
       if (lower_gap(node, body) > kNear * radius_[i]) continue;
-      Contact c;
-      c.node = node;
-      c.body = body;
+      Contact c = watched(node, body);
       query(c, inward(body, poses_[b], nodes_.layout->read(nodes_.x, node)));
       c.place = c.anchor = c.origin;
       c.gap = c.distance - radius_[i];
@@ -143,6 +142,7 @@ void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
     c.sticks = false;
   }
   lift(c, nodes_.layout->read(nodes_.x, c.node), given);
+  any_far_ |= c.gap > kFar * c.radius;
   if (!c.sticks) c.anchor = c.place;
   c.relative = relative_velocity(c);
   c.fresh = false;

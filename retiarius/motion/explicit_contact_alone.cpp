@@ -5,49 +5,65 @@
 
 namespace retiarius {
 
+namespace {
+
+Vec3 read(const double* array, const SweepLayout::Slot& s) {
+  const double* const p = array + s.offset;
+  return {p[0], p[s.stride], p[2 * s.stride]};
+}
+
+void write(double* array, const SweepLayout::Slot& s, const Vec3& value) {
+  double* const p = array + s.offset;
+  p[0] = value.x();
+  p[s.stride] = value.y();
+  p[2 * s.stride] = value.z();
+}
+
+}  // namespace
+
 // No contact changes what another one meets: no body moves, and a node touches no second one.
 bool ExplicitContact::alone() const { return !any_free_ && bodies_->size() == 1; }
 
 // meet(), one turn of solve() and leave() with the node's place and velocity kept at hand. A node
-// that stays clear of the surface, as most that are watched do, leaves at once.
+// that stays clear of the surface, as many that are watched do, leaves at once.
 void ExplicitContact::settle_alone(Contact& c, Account& account, Given& given) {
-  const SweepLayout& layout = *nodes_.layout;
-  Vec3 x = layout.read(nodes_.x, c.node);
-  Vec3 v = layout.read(nodes_.v, c.node);
-  look_again(c, x);
-  const double gap = gap_at(c, x);
+  Vec3 x = read(nodes_.x, c.slot);
+  Vec3 v = read(nodes_.v, c.slot);
+  if ((x - c.origin).squaredNorm() > c.reach) look_again(c, x);
+  const double gap = c.distance + c.normal.dot(x - c.origin) - c.radius;
   const double lack = std::min(0.0, c.gap) - gap;
-  c.push = 0.0;
-  c.drag = Vec3::Zero();
+  if (c.pushed) {
+    c.push = 0.0;
+    c.drag = Vec3::Zero();
+  }
   c.pushed = lack > 0.0;
   c.sticks = false;
-  if (lack <= 0.0 && gap >= 0.0) {
-    c.gap = gap;
-    c.place = c.anchor = x;
-    c.relative = v;
-    c.fresh = false;
-    return;
-  }
   if (c.fresh) c.relative = v;
-  c.up = c.normal;
-  c.lever = x - poses_[c.body].position;
+  c.fresh = false;
+  c.gap = gap;
   if (c.pushed) {
+    c.up = c.normal;
     stop_alone(c, lack, x, v);
-    layout.write(nodes_.v, c.node, v);
-    layout.write(nodes_.x, c.node, x);
+    write(nodes_.v, c.slot, v);
+    write(nodes_.x, c.slot, x);
     given.impulse += c.push * c.up + c.drag;
-    book(c, account);
+    book_alone(c, x, v, account);
+    c.gap = c.distance + c.normal.dot(x - c.origin) - c.radius;
   }
-  lift(c, x, given);
+  if (c.gap >= 0.0) {
+    c.place = x;
+    any_far_ |= c.gap > kFar * c.radius;
+  } else {
+    lift(c, x, given);
+  }
   if (!c.sticks) c.anchor = c.place;
   c.relative = v;
-  c.fresh = false;
 }
 
 // The normal impulse that makes up for the lack, and friction towards the anchor within its limit.
 void ExplicitContact::stop_alone(Contact& c, double lack, Vec3& x, Vec3& v) const {
-  const double mass = (*nodes_.mass)[c.node], per_time = 1.0 / h_;
-  c.push = mass * (per_time * lack);
+  const double per_time = 1.0 / h_;
+  c.push = c.mass * (per_time * lack);
   v += (per_time * lack) * c.up;
   x += lack * c.up;
   c.sticks = friction_ > 0.0;
@@ -59,9 +75,18 @@ void ExplicitContact::stop_alone(Contact& c, double lack, Vec3& x, Vec3& v) cons
     if (!c.sticks) back *= most / way;
     x += back;
     v += per_time * back;
-    c.drag = (mass * per_time) * back;
+    c.drag = (c.mass * per_time) * back;
   }
   c.impulse += c.push * c.up + c.drag;
+}
+
+void ExplicitContact::book_alone(const Contact& c, const Vec3& x, const Vec3& v, Account& account) {
+  const Vec3 mean = 0.5 * (c.relative + v);
+  const Vec3 along = c.push * c.up, impulse = along + c.drag;
+  account.impact_loss -= along.dot(mean);
+  account.friction_loss -= c.drag.dot(mean);
+  account.outside_impulse += impulse;
+  account.outside_angular_impulse += x.cross(impulse);
 }
 
 }  // namespace retiarius

@@ -105,8 +105,9 @@ std::vector<Vec3> alpha_drift(double rho, const Step& step, const std::vector<Ve
 }
 
 std::vector<Vec3> predicted_stage(Method method, const Step& step,
-                                  const std::vector<Vec3>& acceleration, double rho) {
-  std::vector<Vec3> y = first_guess(method, step);
+                                  const std::vector<Vec3>& acceleration, double rho,
+                                  std::vector<Vec3> room) {
+  std::vector<Vec3> y = first_guess(method, step, std::move(room));
   double share = 0.0;  // of h^2 a0
   if (method == Method::newmark || method == Method::tr_bdf2) share = 0.25;
   if (method == Method::generalised_alpha) {
@@ -118,8 +119,9 @@ std::vector<Vec3> predicted_stage(Method method, const Step& step,
   return y;
 }
 
-std::vector<Vec3> first_guess(Method method, const Step& step) {
-  std::vector<Vec3> y = step.start->x;
+std::vector<Vec3> first_guess(Method method, const Step& step, std::vector<Vec3> room) {
+  std::vector<Vec3> y = std::move(room);
+  y = step.start->x;
   if (method == Method::static_solve) return y;
   const double time = step.h / step.reach;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += time * step.start->v[i];

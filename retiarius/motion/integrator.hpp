@@ -45,11 +45,13 @@ std::vector<Vec3> alpha_drift(double rho, const Step& step, const std::vector<Ve
 
 // Where inertia alone (for Newmark and generalised alpha: and their share of the start's
 // acceleration a0) would bring the stage. acceleration: at the start, m/s2, needed by those two.
+// room: memory to use for it.
 std::vector<Vec3> predicted_stage(Method method, const Step& step,
-                                  const std::vector<Vec3>& acceleration, double rho = 0.9);
+                                  const std::vector<Vec3>& acceleration, double rho = 0.9,
+                                  std::vector<Vec3> room = {});
 
 // Where the iteration starts: with the velocity that the nodes have.
-std::vector<Vec3> first_guess(Method method, const Step& step);
+std::vector<Vec3> first_guess(Method method, const Step& step, std::vector<Vec3> room = {});
 
 namespace tr_bdf2 {
 

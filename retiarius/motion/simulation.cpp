@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -157,19 +158,18 @@ double Simulation::round_off_step() const {
 }
 
 // Bodies fall exactly and tumble without torque; contact adds to that.
-std::vector<BodyState> Simulation::free_bodies(double h) const {
-  if (bodies_held_) return state_.bodies;
-  std::vector<BodyState> result;
+void Simulation::free_bodies(double h, std::vector<BodyState>& result) const {
+  result = state_.bodies;
+  if (bodies_held_) return;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     const Body& body = (*bodies_)[b];
-    BodyState s = free_motion(body, state_.bodies[b], h);
+    BodyState& s = result[b];
+    s = free_motion(body, state_.bodies[b], h);
     if (!body.fixed) {
       s.position += 0.5 * h * h * environment_.gravity;
       s.velocity += h * environment_.gravity;
     }
-    result.push_back(s);
   }
-  return result;
 }
 
 bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
@@ -177,12 +177,12 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
                              const PrescribedMotion& motion, StepReport& report,
                              std::string& failure) {
   const std::vector<Prescribed> prescribed = motion ? motion(end) : std::vector<Prescribed>{};
-  StepProblem::Start start;
+  StepProblem::Start start = problem_->take_start();
   start.step = &step;
-  start.predicted = std::move(predicted);
-  start.guess = first_guess(integrator_.method, step);
+  predicted_room_ = std::exchange(start.predicted, std::move(predicted));
+  start.guess = first_guess(integrator_.method, step, std::move(start.guess));
   start.prescribed = &prescribed;
-  start.bodies = free_bodies(step.h);
+  free_bodies(step.h, start.bodies);
   start.contact = bodies_held_ ? nullptr : response_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
@@ -250,27 +250,31 @@ StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion)
 // Turns the solved stage into the next state and books what the step exchanged.
 void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
                         const std::vector<Vec3>& past_change, double end) {
-  const State old = state_;
+  const State& old = old_ = state_;
   Step done = step;
   done.start = &old;
   const std::vector<Vec3>& y = problem_->stage();
   const std::vector<Vec3>& g = problem_->gradient();
   // Before the state changes, which the problem still sees as the step's start.
-  std::vector<Vec3> force;
+  std::vector<Vec3>& force = contact_force_;
+  force.clear();
   if (response_) {
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
   }
-  std::vector<Vec3> friction;
+  std::vector<Vec3>& friction = friction_;
+  friction.clear();
   for (const Constraint& c : problem_->constraints())
     friction.push_back(problem_->friction_force(c));
   State& now = state_;
-  now.x = problem_->end_positions();
-  now.bodies = problem_->end_bodies();
+  end_positions_ = problem_->end_positions(std::move(end_positions_));
+  now.x.swap(end_positions_);
+  problem_->end_bodies(now.bodies);
   // The velocity that goes with the positions, less what Newton's tolerance left as residual:
   // linear momentum is then kept to round-off whatever the tolerance.
   const double weight = step.reaction_impulse();
-  std::vector<Vec3> residual = g;
+  std::vector<Vec3>& residual = residual_;
+  residual = g;
   const std::vector<Vec3>& predicted = problem_->predicted();
   law_change_.resize(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -307,7 +311,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   }
   now.time = end;
   ++now.step;
-  tensions_ = stretching_->tensions(y);
+  stretching_->tensions(y, tensions_);
 }
 
 // Puts prescribed nodes on their path, with the impulse and work that this takes.

@@ -116,7 +116,7 @@ class Simulation {
   void remember_acceleration(double h);
   double local_error(std::vector<Vec3> error) const;
   std::vector<Vec3> start_acceleration(Exchange& outside);
-  std::vector<BodyState> free_bodies(double h) const;
+  void free_bodies(double h, std::vector<BodyState>& result) const;
   double round_off_step() const;
   void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
   bool reuses_factors() const;
@@ -146,6 +146,11 @@ class Simulation {
   // Of the last stage: what the laws alone changed of each node's velocity, m/s; what their outside
   // forces exchanged, as they state it; and what of earlier ones acts on the next stage.
   std::vector<Vec3> law_change_;
+  // Memory of a step, kept for the next.
+  State old_, next_;
+  std::vector<Vec3> predicted_room_, contact_force_, friction_, residual_, end_positions_;
+  std::vector<BodyState> free_bodies_;
+  ExplicitStepper::Job job_;
   Exchange exchange_, carried_;
   double local_error_ = 0.0;  // of the last adaptive step, over the median rest length
   bool configured_ = false;

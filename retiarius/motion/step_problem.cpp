@@ -4,9 +4,13 @@
 #include <chrono>
 #include <cmath>
 
+#include "retiarius/base/parallel.hpp"
+
 namespace retiarius {
 
 namespace {
+
+constexpr std::size_t kNodes = 4096;  // that a thread takes at once
 
 // Adds the time of its own life to a sum.
 class Stopwatch {
@@ -80,9 +84,10 @@ void StepProblem::begin(Start start) {
   b_.assign(bodies_->size(), Vec6::Zero());
   db_ = b_;
   if (start_.contact) {
-    std::vector<bool> held(mass_.size(), false);
-    for (const Prescribed& p : *start_.prescribed) held[p.node] = true;
-    start_.contact->begin(step, end_positions(), start_.bodies, held);
+    held_.assign(mass_.size(), false);
+    for (const Prescribed& p : *start_.prescribed) held_[p.node] = true;
+    end_positions_ = end_positions(std::move(end_positions_));
+    start_.contact->begin(step, end_positions_, start_.bodies, held_);
   }
   collect_constraints();
   project_guess();
@@ -163,16 +168,7 @@ double StepProblem::sum_up(Assembly out) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
   double value = 0.0, inertial = 0.0;
   for (const auto& law : *laws_) value += law->assemble(step, y_, out);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const Vec3 off = y_[i] - start_.predicted[i];
-    const Vec3 inertia = step.inertia * mass_[i] * off;
-    inertial += mass_[i] * off.squaredNorm();
-    largest = std::max({largest, gradient_[i].squaredNorm(), inertia.squaredNorm()});
-    gradient_[i] += inertia;
-    if (out.hessian) matrix_.diagonal[i].diagonal().array() += step.inertia * mass_[i];
-  }
-  largest_force_ = std::sqrt(largest);
+  inertial = add_inertia(out.hessian != nullptr);
   value += 0.5 * step.inertia * inertial;
   for (std::size_t b = 0; b < b_.size(); ++b) {
     body_gradient_[b] = body_mass_[b] * b_[b];
@@ -195,6 +191,29 @@ double StepProblem::sum_up(Assembly out) {
   return value;
 }
 
+// Inertia's share of gradient and Hessian; notes the largest force. Returns the sum of m off^2.
+double StepProblem::add_inertia(bool hessian) {
+  const double inertia = start_.step->inertia;
+  largest_parts_.resize((mass_.size() + kNodes - 1) / kNodes);
+  const double sum = parallel_sum(mass_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    double part = 0.0, largest = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 off = y_[i] - start_.predicted[i];
+      const Vec3 force = inertia * mass_[i] * off;
+      part += mass_[i] * off.squaredNorm();
+      largest = std::max({largest, gradient_[i].squaredNorm(), force.squaredNorm()});
+      gradient_[i] += force;
+      if (hessian) matrix_.diagonal[i].diagonal().array() += inertia * mass_[i];
+    }
+    largest_parts_[begin / kNodes] = largest;
+    return part;
+  });
+  double largest = 0.0;
+  for (const double part : largest_parts_) largest = std::max(largest, part);
+  largest_force_ = std::sqrt(largest);
+  return sum;
+}
+
 // Displacement of a sliding node along the surface, relative to the body, over the step, m.
 Vec3 StepProblem::slip(const Constraint& c) const {
   const Step& step = *start_.step;
@@ -211,8 +230,9 @@ Vec3 StepProblem::friction_force(const Constraint& c) const {
 }
 
 // The gradient with respect to each body's unknowns, with the nodes that follow it.
-std::vector<Vec6> StepProblem::reduced_body_gradient() const {
-  std::vector<Vec6> g = body_gradient_;
+const std::vector<Vec6>& StepProblem::reduced_body_gradient() const {
+  std::vector<Vec6>& g = reduced_;
+  g = body_gradient_;
   for (const Constraint& c : constraints_) {
     if (c.body != kNone) g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
   }
@@ -319,9 +339,14 @@ void StepProblem::reuse_direction() { solve_for_direction(); }
 // The direction for the present gradient with the present factorisation and borders.
 void StepProblem::solve_for_direction() {
   const Stopwatch watch(times_.solve);
-  base_y_ = y_;
+  base_y_.resize(y_.size());
   base_b_ = b_;
-  for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
+  parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      base_y_[i] = y_[i];
+      dy_[i] = -gradient_[i];
+    }
+  });
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
   // A body that nothing touches any more goes back to its free motion.
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
@@ -380,7 +405,7 @@ void StepProblem::build_schur() {
 // A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with A^-1 r in dy on entry.
 void StepProblem::solve_bordered() {
   const std::size_t n = dy_.size();
-  const std::vector<Vec6> body_gradient = reduced_body_gradient();
+  const std::vector<Vec6>& body_gradient = reduced_body_gradient();
   schur_rhs_.resize(static_cast<Eigen::Index>(6 * touching_.size()));
   for (std::size_t p = 0; p < touching_.size(); ++p) {
     schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p)) =
@@ -407,14 +432,19 @@ void StepProblem::filter(std::vector<Vec3>& x) const {
 }
 
 double StepProblem::slope() const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < dy_.size(); ++i) sum += gradient_[i].dot(dy_[i]);
+  double sum = parallel_sum(dy_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    double part = 0.0;
+    for (std::size_t i = begin; i < end; ++i) part += gradient_[i].dot(dy_[i]);
+    return part;
+  });
   for (std::size_t b = 0; b < db_.size(); ++b) sum += body_gradient_[b].dot(db_[b]);
   return sum;
 }
 
 void StepProblem::move(double fraction) {
-  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = base_y_[i] + fraction * dy_[i];
+  parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) y_[i] = base_y_[i] + fraction * dy_[i];
+  });
   for (std::size_t b = 0; b < b_.size(); ++b) b_[b] = base_b_[b] + fraction * db_[b];
 }
 
@@ -464,11 +494,14 @@ std::pair<double, Index> StepProblem::largest_residual() const {
 
 double StepProblem::residual_ratio() const {
   double largest = largest_residual().first;
+  if (bodies_->empty())
+    return largest / std::max(start_.tolerance * largest_force_, start_.force_floor);
   // A moment counts as the force at the longest lever that transmits it.
-  std::vector<double> lever(bodies_->size(), 0.0);
+  std::vector<double>& lever = lever_;
+  lever.assign(bodies_->size(), 0.0);
   for (const Constraint& c : constraints_)
     if (c.body != kNone) lever[c.body] = std::max(lever[c.body], c.lever.norm());
-  const std::vector<Vec6> gradients = reduced_body_gradient();
+  const std::vector<Vec6>& gradients = reduced_body_gradient();
   for (std::size_t b = 0; b < gradients.size(); ++b) {
     largest = std::max(largest, gradients[b].head<3>().norm());
     if (lever[b] > 0.0) largest = std::max(largest, gradients[b].tail<3>().norm() / lever[b]);
@@ -478,29 +511,31 @@ double StepProblem::residual_ratio() const {
 
 bool StepProblem::revise(bool full) {
   if (!start_.contact) return false;
-  if (!start_.contact->revise(end_positions(), end_bodies(), gradient_, full)) return false;
+  end_positions_ = end_positions(std::move(end_positions_));
+  end_bodies(end_bodies_);
+  if (!start_.contact->revise(end_positions_, end_bodies_, gradient_, full)) return false;
   collect_constraints();
   project_guess();
   return true;
 }
 
-std::vector<Vec3> StepProblem::end_positions() const {
+std::vector<Vec3> StepProblem::end_positions(std::vector<Vec3> room) const {
   const Step& step = *start_.step;
-  if (step.reach == 1.0) return y_;
-  std::vector<Vec3> x1(y_.size());
+  std::vector<Vec3> x1 = std::move(room);
+  x1 = y_;
+  if (step.reach == 1.0) return x1;
   for (std::size_t i = 0; i < y_.size(); ++i)
     x1[i] = step.start->x[i] + step.reach * (y_[i] - step.start->x[i]);
   return x1;
 }
 
-std::vector<BodyState> StepProblem::end_bodies() const {
-  std::vector<BodyState> result = start_.bodies;
+void StepProblem::end_bodies(std::vector<BodyState>& result) const {
+  result = start_.bodies;
   for (std::size_t b = 0; b < result.size(); ++b) {
     const Vec6 d = start_.step->reach * b_[b];
     if ((*bodies_)[b].fixed || d.isZero(0.0)) continue;
     result[b] = displaced(result[b], d.head<3>(), d.tail<3>());
   }
-  return result;
 }
 
 }  // namespace retiarius

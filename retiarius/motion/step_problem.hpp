@@ -57,6 +57,8 @@ class StepProblem final : public NewtonProblem {
     bool linear = false;                 // linearise() will be asked for; nodes follow no bodies
   };
   void begin(Start start);
+  // The last start, to be filled again: its memory serves the next step.
+  Start take_start() { return std::move(start_); }
 
   double assemble(bool definite) override;
   double evaluate() override;
@@ -72,8 +74,9 @@ class StepProblem final : public NewtonProblem {
 
   const std::vector<Vec3>& stage() const { return y_; }
   const std::vector<Vec3>& predicted() const { return start_.predicted; }
-  std::vector<Vec3> end_positions() const;
-  std::vector<BodyState> end_bodies() const;
+  // room: memory to use for them.
+  std::vector<Vec3> end_positions(std::vector<Vec3> room = {}) const;
+  void end_bodies(std::vector<BodyState>& bodies) const;
   // Gradient: at blocked directions the force of the constraint on the node, elsewhere what the
   // tolerance left, N.
   const std::vector<Vec3>& gradient() const { return gradient_; }
@@ -101,6 +104,7 @@ class StepProblem final : public NewtonProblem {
   };
 
   double sum_up(Assembly out);
+  double add_inertia(bool hessian);
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
@@ -114,7 +118,7 @@ class StepProblem final : public NewtonProblem {
   void solve_border_columns();
   void build_schur();
   Vec6 border_times(std::size_t body, const Vec3* x) const;
-  std::vector<Vec6> reduced_body_gradient() const;
+  const std::vector<Vec6>& reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
 
@@ -137,7 +141,13 @@ class StepProblem final : public NewtonProblem {
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
+  mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()
+  mutable std::vector<double> lever_;  // the longest of each body, m
+  std::vector<Vec3> end_positions_;    // for contact
+  std::vector<BodyState> end_bodies_;
+  std::vector<bool> held_;
   double largest_force_ = 0.0;
+  std::vector<double> largest_parts_;
   BlockMatrix matrix_;
   std::vector<Mat3> kept_rows_;        // of constrained nodes, before the filter; see keep_rows()
   std::vector<Border> borders_;        // of each body

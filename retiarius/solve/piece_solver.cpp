@@ -6,7 +6,6 @@
 // of threads.
 #include <algorithm>
 #include <atomic>
-#include <functional>
 
 #include <fmt/format.h>
 
@@ -28,7 +27,9 @@ class PieceSolver : public LinearSolver {
  public:
   explicit PieceSolver(bool always) : always_(always), rest_(make_multifrontal_solver()) {}
 
-  std::string_view name() const override { return always_ || with_pieces_ ? "pieces" : rest_->name(); }
+  std::string_view name() const override {
+    return always_ || with_pieces_ ? "pieces" : rest_->name();
+  }
   void analyse(const BlockPattern& pattern) override;
   bool factor(const BlockMatrix& matrix) override;
   void solve(std::vector<Vec3>& x) const override;
@@ -47,7 +48,7 @@ class PieceSolver : public LinearSolver {
       const FlushDenormals flush;
       for (std::size_t b = begin; b < end; ++b) body(b);
     };
-    parallel_for(batches_.batches.size(), kGrain, std::ref(range));
+    parallel_for(batches_.batches.size(), kGrain, range);
   }
   kernels::PiecePlan plan(const PieceBatch& batch) const {
     return batches_.shapes[batch.shape].plan();
