@@ -77,6 +77,7 @@ Measurement measure(const Member& member, const Settings& settings) {
   m.threads = threads();
   m.solver = settings.newton == Newton::single      ? "single"
              : settings.solver == Solver::automatic ? "auto"
+             : settings.solver == Solver::pcg       ? "pcg"
              : settings.solver == Solver::direct    ? "direct"
                                                     : "reuse";
   m.steps = settings.steps;

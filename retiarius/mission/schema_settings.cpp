@@ -29,10 +29,14 @@ const Table<IntegratorSpec>& integrator_table() {
             "static equilibrium")
            .not_yet({"auto"}),
        word("solver", &IntegratorSpec::solver,
-            {{"auto", Solver::automatic}, {"direct", Solver::direct}, {"reuse", Solver::reuse}},
+            {{"auto", Solver::automatic},
+             {"direct", Solver::direct},
+             {"reuse", Solver::reuse},
+             {"pcg", Solver::pcg}},
             "how the equations of a step are solved: with a new factorisation for every iteration "
-            "(direct) or with one kept while it serves (reuse); auto takes reuse where all threads "
-            "carry compression"),
+            "(direct), with one kept while it serves (reuse), or by preconditioned conjugate "
+            "gradients (pcg: for soft nets and short steps); auto takes pcg where the counts tell "
+            "that it is quicker, else reuse where all threads carry compression"),
        word("newton", &IntegratorSpec::newton,
             {{"converged", Newton::converged}, {"single", Newton::single}},
             "implicit only: iterate each step until tolerance is met, or take one Newton update "

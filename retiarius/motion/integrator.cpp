@@ -29,6 +29,8 @@ std::string single_update_refusal(const IntegratorSpec& integrator, const Contac
   if (integrator.newton != Newton::single) return {};
   if (integrator.method != Method::implicit_euler)
     return "needs method = \"implicit-euler\", whose damping it relies on";
+  if (integrator.solver == Solver::pcg)
+    return "needs a direct solver: what conjugate gradients leave would not be made up for";
   if (integrator.adaptive)
     return "needs adaptive = false: its error would hide in the estimate of the local one";
   if (bodies && contact.method != ContactMethod::none)

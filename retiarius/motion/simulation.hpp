@@ -119,6 +119,7 @@ class Simulation {
   void free_bodies(double h, std::vector<BodyState>& result) const;
   double round_off_step() const;
   void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
+  bool iterates() const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed,

@@ -13,9 +13,10 @@ enum class Method {
   static_solve
 };
 
-// How a step's equations are solved: with a new factorisation for every iteration (direct), or with
-// one kept while it serves (reuse). automatic: reuse where all threads carry compression.
-enum class Solver { automatic, direct, reuse };
+// How a step's equations are solved: with a new factorisation for every iteration (direct), with
+// one kept while it serves (reuse), or by conjugate gradients (pcg). automatic: pcg where the
+// counts tell that it is quicker, else reuse where all threads carry compression, else direct.
+enum class Solver { automatic, direct, reuse, pcg };
 
 // How far the equations of an implicit step are solved: to the tolerance, or by one Newton update
 // from where the velocities lead (linearly implicit: quicker, for real time, never converged).

@@ -42,6 +42,9 @@ class StepProblem final : public NewtonProblem {
   StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
               std::vector<std::unique_ptr<Law>>& laws, std::unique_ptr<LinearSolver> solver);
 
+  // Solves by conjugate gradients from now on, or by the solver given.
+  void iterate(bool by_gradients);
+
   // Looks up the pattern again after laws were added or removed.
   void bind_laws();
 
@@ -85,7 +88,9 @@ class StepProblem final : public NewtonProblem {
   Vec3 friction_force(const Constraint& c) const;
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
-  const LinearSolver& solver() const { return *solver_; }
+  const LinearSolver& solver() const { return *active_; }
+  const BlockPattern& pattern() const { return pattern_; }
+  const LinearSolver& direct_solver() const { return *solver_; }
   const WorkTimes& work_times() const { return times_; }
   // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
   // stay where they are.
@@ -125,7 +130,8 @@ class StepProblem final : public NewtonProblem {
   std::vector<double> mass_;
   const std::vector<Body>* bodies_;
   std::vector<std::unique_ptr<Law>>* laws_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<LinearSolver> solver_, gradients_;  // the second where it was asked for
+  LinearSolver* active_;                              // of the two
   BlockPattern pattern_;
   struct Neighbour {
     Index slot, node;

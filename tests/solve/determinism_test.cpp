@@ -47,6 +47,19 @@ TEST_F(Determinism, ThreadsDoNotChangeABit) {
   }
 }
 
+TEST_F(Determinism, ThreadsDoNotChangeConjugateGradients) {
+  const BlockPattern pattern = test::hexagon_net(20, 2);
+  const BlockMatrix matrix = test::random_matrix(pattern, 95);
+  const auto solver = make_pcg_solver();
+  solver->analyse(pattern);
+  set_threads(1);
+  const std::vector<Vec3> expected = solution(*solver, matrix);
+  for (const int count : {2, 4}) {
+    set_threads(count);
+    EXPECT_EQ(solution(*solver, matrix), expected);
+  }
+}
+
 TEST_F(Determinism, ThreadsSeeFailures) {
   set_threads(4);
   const BlockPattern pattern = test::hexagon_net(8, 4, test::Bend::hinged);

@@ -244,6 +244,37 @@ TEST(PieceSolver, AgreesWithTheReferenceOnEveryInstructionSet) {
   set_kernels("auto");
 }
 
+TEST(PcgSolver, SolvesToItsTolerance) {
+  const auto solver = make_pcg_solver();
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const BlockMatrix matrix = test::random_matrix(pattern, 81);
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(matrix)) << name;
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 82);
+    std::vector<Vec3> x = b, product;
+    solver->solve(x);
+    matrix.multiply(x, product);
+    EXPECT_LE(test::distance(product, b), 10.0 * kPcgTolerance * test::norm(b)) << name;
+  }
+}
+
+TEST(PcgSolver, HasNoAnswerWhereTheMatrixIsNotDefinite) {
+  const BlockPattern pattern = test::chain(30);
+  BlockMatrix matrix = test::random_matrix(pattern, 83);
+  const auto solver = make_pcg_solver();
+  solver->analyse(pattern);
+  std::vector<Vec3> x = test::random_vector(pattern.blocks(), 84);
+  EXPECT_THROW(solver->solve(x), Error);
+  matrix.below[7] = 50.0 * Mat3::Identity();  // its blocks on the diagonal are still definite
+  ASSERT_TRUE(solver->factor(matrix));
+  solver->solve(x);
+  EXPECT_FALSE(x[0].allFinite());
+  matrix.diagonal[4](1, 1) = -1.0;
+  EXPECT_FALSE(solver->factor(matrix));
+  matrix.diagonal[4](1, 1) = std::nan("");
+  EXPECT_FALSE(solver->factor(matrix));
+}
+
 TEST(NetSolver, TakesPiecesWhereMostNodesAreInnerOnes) {
   const auto chosen = [](const BlockPattern& pattern) {
     const auto solver = make_net_solver();
