@@ -21,7 +21,8 @@ namespace retiarius {
 namespace {
 
 constexpr int kLanes = kernels::kPieceLanes;
-constexpr std::size_t kGrain = 8;  // batches that a thread takes at once
+constexpr std::size_t kGrain = 8;      // batches that a thread takes at once
+constexpr std::size_t kBlocks = 2048;  // ... and blocks
 
 class PieceSolver : public LinearSolver {
  public:
@@ -125,15 +126,19 @@ bool PieceSolver::eliminate(const BlockMatrix& matrix) {
 
 // The matrix's own blocks, and what the pieces add, one after the other.
 void PieceSolver::assemble_rest(const BlockMatrix& matrix) {
-  for (std::size_t k = 0; k < batches_.kept.size(); ++k)
-    rest_matrix_.diagonal[k] = matrix.diagonal[batches_.kept[k]];
-  for (std::size_t k = 0; k < batches_.kept_slots.size(); ++k) {
-    const Index slot = batches_.kept_slots[k];
-    if (slot == kNone)
-      rest_matrix_.below[k].setZero();
-    else
-      rest_matrix_.below[k] = matrix.below[slot];
-  }
+  parallel_for(batches_.kept.size(), kBlocks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      rest_matrix_.diagonal[k] = matrix.diagonal[batches_.kept[k]];
+  });
+  parallel_for(batches_.kept_slots.size(), kBlocks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index slot = batches_.kept_slots[k];
+      if (slot == kNone)
+        rest_matrix_.below[k].setZero();
+      else
+        rest_matrix_.below[k] = matrix.below[slot];
+    }
+  });
   for (const PieceBatch& batch : batches_.batches) {
     const PieceShape& shape = batches_.shapes[batch.shape];
     const double* const values = values_.data() + batch.values;
