@@ -21,11 +21,12 @@ struct Repeat {
 
 Repeat run_once(const Network& network, const Settings& settings) {
   const std::vector<Body> none;
-  Simulation simulation(network, none, initial_state(network, none));
+  Simulation simulation(network, none, initial_state(network, none), {}, settings.make_solver());
   IntegratorSpec integrator;
   integrator.step = settings.h;
   integrator.tolerance = 1e-6;
   integrator.solver = settings.solver;
+  integrator.newton = settings.newton;
   simulation.configure({{0.0, 0.0, -50.0}, 0.1}, integrator, {});
   std::vector<Prescribed> held;
   for (Index corner : network.corners)
@@ -74,9 +75,11 @@ Measurement measure(const Member& member, const Settings& settings) {
   m.nodes = network.node_count();
   m.h = settings.h;
   m.threads = threads();
-  m.solver = settings.solver == Solver::automatic ? "auto"
-             : settings.solver == Solver::direct  ? "direct"
-                                                  : "reuse";
+  m.solver = settings.newton == Newton::single      ? "single"
+             : settings.solver == Solver::automatic ? "auto"
+             : settings.solver == Solver::pcg       ? "pcg"
+             : settings.solver == Solver::direct    ? "direct"
+                                                    : "reuse";
   m.steps = settings.steps;
   m.step = median.step;
   m.assembly = median.work.assembly / settings.steps;

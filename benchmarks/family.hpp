@@ -2,6 +2,7 @@
 // 50 m/s2 into its held corners (Huang et al. 2022, section 3.1 and appendix, for n = 5, s = 3).
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "retiarius/motion/simulation.hpp"
@@ -24,14 +25,14 @@ struct Measurement {
   Index nodes = 0;
   double h = 0.01;  // s
   int threads = 1;
-  std::string solver = "auto";
-  int steps = 0;            // of each repeat
-  double step = 0.0;        // s, mean over the steps, median of the repeats
-  double assembly = 0.0;    // s a step: laws and Hessian
-  double factor = 0.0;      // s a step
-  double solve = 0.0;       // s a step
-  double rest = 0.0;        // s a step
-  double iterations = 0.0;  // a step
+  std::string solver = "auto";  // "single": a single Newton update a step
+  int steps = 0;                // of each repeat
+  double step = 0.0;            // s, mean over the steps, median of the repeats
+  double assembly = 0.0;        // s a step: laws and Hessian
+  double factor = 0.0;          // s a step
+  double solve = 0.0;           // s a step
+  double rest = 0.0;            // s a step
+  double iterations = 0.0;      // a step
   double factorisations = 0.0;
 };
 
@@ -40,6 +41,8 @@ struct Settings {
   int steps = 100;
   int repeats = 5;
   Solver solver = Solver::automatic;
+  Newton newton = Newton::converged;
+  std::unique_ptr<LinearSolver> (*make_solver)() = make_net_solver;
 };
 
 // Steps the member from the flat start and times it; CPU idle besides, as far as one can have it.

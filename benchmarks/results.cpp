@@ -74,17 +74,18 @@ std::string results_json(const std::vector<Measurement>& measurements) {
 
 std::string heading_text() {
   return fmt::format(
-      "{:>8} {:>4} {:>3} {:>7} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8} {:>8} {:>6} {:>7}\n", "nodes",
-      "n", "s", "knots", "h/s", "threads", "step/ms", "assembly", "factor", "solve", "rest",
-      "iter.", "factor.");
+      "{:>8} {:>4} {:>3} {:>7} {:>7} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8} {:>8} {:>6} {:>7}\n",
+      "nodes", "n", "s", "knots", "h/s", "threads", "solver", "step/ms", "assembly", "factor",
+      "solve", "rest", "iter.", "factor.");
 }
 
 std::string measurement_text(const Measurement& m) {
   return fmt::format(
-      "{:>8} {:>4} {:>3} {:>7} {:>7} {:>7} {:>9.3f} {:>9.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>6.2f} "
+      "{:>8} {:>4} {:>3} {:>7} {:>7} {:>7} {:>7} {:>9.3f} {:>9.3f} {:>8.3f} {:>8.3f} {:>8.3f} "
+      "{:>6.2f} "
       "{:>7.2f}\n",
       m.nodes, m.member.n, m.member.s,
-      m.member.bending ? m.member.across ? "across" : "hinged" : "none", m.h, m.threads,
+      m.member.bending ? m.member.across ? "across" : "hinged" : "none", m.h, m.threads, m.solver,
       1e3 * m.step, 1e3 * m.assembly, 1e3 * m.factor, 1e3 * m.solve, 1e3 * m.rest, m.iterations,
       m.factorisations);
 }

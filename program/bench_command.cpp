@@ -43,9 +43,11 @@ void bench(const BenchArguments& arguments) {
   std::vector<Measurement> all;
   if (!arguments.json) print(heading_text());
   for (const Member& member : family(arguments.largest)) {
-    for (const double h : {0.01, 0.001}) {
+    for (const auto& [h, newton] :
+         {std::pair{0.01, Newton::converged}, {0.001, Newton::converged}, {0.01, Newton::single}}) {
       Settings settings;
       settings.h = h;
+      settings.newton = newton;
       settings.steps = arguments.quick ? 10 : 100;
       settings.repeats = arguments.quick ? 1 : 5;
       all.push_back(measure(member, settings));

@@ -71,12 +71,38 @@ void factor_and_solve(benchmark::State& state, Maker make) {
   state.counters["nodes"] = static_cast<double>(x.size());
 }
 
+// The whole step from the flat start, with a new factorisation for every iteration.
+void step(benchmark::State& state, Maker make) {
+  set_threads(1);
+  Settings settings;
+  settings.steps = 10;
+  settings.repeats = 1;
+  settings.solver = Solver::direct;
+  settings.make_solver = make;
+  const Member member{static_cast<int>(state.range(0)), static_cast<int>(state.range(1))};
+  for (auto _ : state) {
+    const Measurement m = measure(member, settings);
+    state.SetIterationTime(m.step);
+    state.counters["nodes"] = m.nodes;
+    state.counters["iterations"] = m.iterations;
+  }
+}
+
+void steps(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMillisecond)->ArgNames({"n", "s"})->UseManualTime()->Iterations(3);
+  for (const auto& [n, s] : {std::pair{11, 3}, {21, 3}}) b->Args({n, s});
+}
+
+BENCHMARK_CAPTURE(step, ours, make_net_solver)->Apply(steps);
+BENCHMARK_CAPTURE(step, cholmod_supernodal, make_cholmod_solver)->Apply(steps);
+BENCHMARK_CAPTURE(step, eigen_metis, make_eigen_metis_solver)->Apply(steps);
+
 void nets(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMillisecond)->ArgNames({"n", "s"});
   for (const auto& [n, s] : {std::pair{11, 3}, {21, 3}, {37, 3}, {12, 9}, {27, 0}}) b->Args({n, s});
 }
 
-BENCHMARK_CAPTURE(factor_and_solve, ours, make_multifrontal_solver)->Apply(nets);
+BENCHMARK_CAPTURE(factor_and_solve, ours, make_net_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, cholmod_supernodal, make_cholmod_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, eigen_metis, make_eigen_metis_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, eigen_amd, make_eigen_amd_solver)->Apply(nets);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/base/parallel.hpp"
 
 namespace retiarius {
 
@@ -60,8 +61,12 @@ void BlockMatrix::reset(const BlockPattern& p) {
 }
 
 void BlockMatrix::set_zero() {
-  std::fill(diagonal.begin(), diagonal.end(), Mat3::Zero());
-  std::fill(below.begin(), below.end(), Mat3::Zero());
+  constexpr std::size_t kGrain = 4096;
+  for (std::vector<Mat3>* blocks : {&diagonal, &below}) {
+    parallel_for(blocks->size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      std::fill_n(blocks->data()->data() + 9 * begin, 9 * (end - begin), 0.0);
+    });
+  }
 }
 
 void BlockMatrix::multiply(const std::vector<Vec3>& x, std::vector<Vec3>& y) const {

@@ -22,8 +22,8 @@ void set_threads(int count) {
 
 int threads() { return thread_count; }
 
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t, std::size_t)>& body) {
+void run_ranges(std::size_t count, std::size_t grain,
+                const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t ranges = (count + grain - 1) / grain;
   const auto run = [&](std::size_t k) { body(k * grain, std::min(count, (k + 1) * grain)); };
   if (thread_count == 1 || ranges <= 1) {
@@ -33,14 +33,22 @@ void parallel_for(std::size_t count, std::size_t grain,
   }
 }
 
-double parallel_sum(std::size_t count, std::size_t grain,
-                    const std::function<double(std::size_t, std::size_t)>& body) {
-  std::vector<double> parts((count + grain - 1) / grain);
+double sum_ranges(std::size_t count, std::size_t grain,
+                  const std::function<double(std::size_t, std::size_t)>& body) {
+  constexpr std::size_t kFew = 64;  // ranges whose sums need no memory
+  double few[kFew];
+  std::vector<double> many;
+  const std::size_t ranges = (count + grain - 1) / grain;
+  double* parts = few;
+  if (ranges > kFew) {
+    many.resize(ranges);
+    parts = many.data();
+  }
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
     parts[begin / grain] = body(begin, end);
   });
   double sum = 0.0;
-  for (double part : parts) sum += part;
+  for (std::size_t k = 0; k < ranges; ++k) sum += parts[k];
   return sum;
 }
 

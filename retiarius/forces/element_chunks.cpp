@@ -48,7 +48,7 @@ ElementChunks::ElementChunks(const std::vector<Index>& nodes, std::size_t arity)
   if (!order_.empty()) color_starts_.push_back(order_.size());
 }
 
-double ElementChunks::sum(const std::function<double(long begin, long end)>& body) const {
+double ElementChunks::sum_chunks(const std::function<double(long begin, long end)>& body) const {
   for (std::size_t c = 0; c < colors(); ++c) {
     const std::size_t first = color_starts_[c];
     parallel_for(color_starts_[c + 1] - first, 1, [&](std::size_t begin, std::size_t end) {

@@ -18,12 +18,17 @@ class ElementChunks {
   ElementChunks(const std::vector<Index>& nodes, std::size_t arity);
 
   // Sum of what `body` returns for each range of elements, in the order of the chunks.
-  double sum(const std::function<double(long begin, long end)>& body) const;
+  template <class Body>
+  double sum(const Body& body) const {
+    return sum_chunks(std::ref(body));
+  }
 
   std::size_t chunks() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::size_t colors() const { return color_starts_.empty() ? 0 : color_starts_.size() - 1; }
 
  private:
+  double sum_chunks(const std::function<double(long begin, long end)>& body) const;
+
   std::vector<long> starts_;               // of the chunks, and the end
   std::vector<Index> order_;               // chunks by colour
   std::vector<std::size_t> color_starts_;  // in order_

@@ -175,12 +175,16 @@ void Stretching::account(const Step& step, const std::vector<Vec3>& y, const std
 
 std::vector<double> Stretching::tensions(const std::vector<Vec3>& y) const {
   std::vector<double> result;
-  result.reserve(elements_.size());
+  tensions(y, result);
+  return result;
+}
+
+void Stretching::tensions(const std::vector<Vec3>& y, std::vector<double>& result) const {
+  result.resize(elements_.size());
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const Element& e = elements_[k];
-    result.push_back(tension(k, axial_strain(y[e.a], y[e.b], e.rest_length)));
+    result[k] = tension(k, axial_strain(y[e.a], y[e.b], e.rest_length));
   }
-  return result;
 }
 
 double Stretching::energy(const std::vector<Vec3>& x) const {

@@ -38,6 +38,7 @@ class Stretching final : public Law {
   // Tension of each segment at stage positions y of the step last prepared, viscous part
   // included, N.
   std::vector<double> tensions(const std::vector<Vec3>& y) const;
+  void tensions(const std::vector<Vec3>& y, std::vector<double>& result) const;
 
   // Elastic energy at positions x, J.
   double energy(const std::vector<Vec3>& x) const;

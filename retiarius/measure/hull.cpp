@@ -101,6 +101,23 @@ double area(const Polygon& polygon) {
   return 0.5 * sum.norm();
 }
 
+// The area of what all planes leave of a polygon; both are used up. Most planes do not come near a
+// ball around it, and need no clipping.
+double clipped_area(Polygon& polygon, const std::vector<ConvexHull::Plane>& planes, Polygon& kept) {
+  Vec3 center = Vec3::Zero();
+  for (const Vec3& p : polygon) center += p / static_cast<double>(polygon.size());
+  double reach = 0.0;
+  for (const Vec3& p : polygon) reach = std::max(reach, (p - center).norm());
+  for (const auto& plane : planes) {
+    const double height = plane.normal.dot(center) + plane.offset;
+    if (height < -1.001 * reach) continue;
+    if (height > 1.001 * reach) return 0.0;
+    clip(polygon, plane, kept);
+    if (polygon.size() < 3) return 0.0;
+  }
+  return area(polygon);
+}
+
 }  // namespace
 
 bool ConvexHull::contains(const Vec3& point) const {
@@ -154,11 +171,7 @@ double captured_share(const TriangleMesh& surface, const BodyState& pose, const 
       inside += whole;
       continue;
     }
-    for (const auto& plane : hull.planes) {
-      if (polygon.size() < 3) break;
-      clip(polygon, plane, kept);
-    }
-    if (polygon.size() >= 3) inside += area(polygon);
+    inside += clipped_area(polygon, hull.planes, kept);
   }
   return inside / total;
 }

@@ -72,6 +72,7 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   ++steps_;
   iterations_ += report.iterations;
   substeps_ += report.substeps;
+  if (report.single) ++unconverged_;
   step_size_ = report.h;
   window_.add(report.h, simulation.tensions());
   if (!prescribed_) add_drift(state);

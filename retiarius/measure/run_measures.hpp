@@ -101,7 +101,7 @@ class RunMeasures {
   std::vector<Vec3> nodes_;       // places at the last look
   std::vector<BodyState> poses_;  // of the bodies, then
   Peaks whole_, phase_;
-  std::int64_t steps_ = 0, iterations_ = 0, substeps_ = 0;
+  std::int64_t steps_ = 0, iterations_ = 0, substeps_ = 0, unconverged_ = 0;
   double step_size_ = 0.0;  // s
 
   Vec3 center_ = Vec3::Zero();  // mass centre at the start

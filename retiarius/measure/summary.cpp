@@ -53,6 +53,7 @@ Measures RunMeasures::summary() const {
       {"steps", "", steps_},
       {"newton_iterations", "", iterations_},
       {"substeps", "", substeps_},
+      {"unconverged_steps", "", unconverged_},
   };
 }
 

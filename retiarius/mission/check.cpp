@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "retiarius/mission/key.hpp"
+#include "retiarius/motion/integrator.hpp"
 
 namespace retiarius {
 
@@ -190,6 +191,22 @@ void check_output(const Mission& mission, const Places& places) {
   }
 }
 
+void check_newton(const Mission& mission, const Places& places) {
+  for (std::size_t i = 0; i < mission.phases.size(); ++i) {
+    const PhaseSpec& phase = mission.phases[i];
+    if (phase.integrator.newton != Newton::single) continue;
+    std::string why =
+        single_update_refusal(phase.integrator, phase.contact, !mission.targets.empty());
+    if (why.empty() && !mission.net.thread.compression)
+      why =
+          "needs net.thread.compression = true: a single update takes tension-only threads far "
+          "beyond where they become taut";
+    if (why.empty()) continue;
+    const std::string own = fmt::format("phase[{}].integrator.newton", i);
+    fail(places, places.has(own) ? own : "integrator.newton", "= \"single\" " + why);
+  }
+}
+
 void check_mission(const Mission& mission, const Places& places) {
   check_net(mission, places);
   check_targets(mission, places);
@@ -197,6 +214,7 @@ void check_mission(const Mission& mission, const Places& places) {
   check_integrators(mission, places);
   check_contact(mission, places);
   check_output(mission, places);
+  check_newton(mission, places);
 }
 
 }  // namespace retiarius

@@ -14,6 +14,7 @@ void check_net(const Mission& mission, const Places& places);
 void check_targets(const Mission& mission, const Places& places);
 void check_phases(const Mission& mission, const Places& places);
 void check_output(const Mission& mission, const Places& places);
+void check_newton(const Mission& mission, const Places& places);
 
 // Corners that a net of this pattern has; 0 where only the network file knows.
 int corner_count(const NetSpec& net);

@@ -29,10 +29,19 @@ const Table<IntegratorSpec>& integrator_table() {
             "static equilibrium")
            .not_yet({"auto"}),
        word("solver", &IntegratorSpec::solver,
-            {{"auto", Solver::automatic}, {"direct", Solver::direct}, {"reuse", Solver::reuse}},
+            {{"auto", Solver::automatic},
+             {"direct", Solver::direct},
+             {"reuse", Solver::reuse},
+             {"pcg", Solver::pcg}},
             "how the equations of a step are solved: with a new factorisation for every iteration "
-            "(direct) or with one kept while it serves (reuse); auto takes reuse where all threads "
-            "carry compression"),
+            "(direct), with one kept while it serves (reuse), or by preconditioned conjugate "
+            "gradients (pcg: for soft nets and short steps); auto takes pcg where the counts tell "
+            "that it is quicker, else reuse where all threads carry compression"),
+       word("newton", &IntegratorSpec::newton,
+            {{"converged", Newton::converged}, {"single", Newton::single}},
+            "implicit only: iterate each step until tolerance is met, or take one Newton update "
+            "and go on (linearly implicit, for real time: steps are not converged; implicit Euler, "
+            "threads that carry compression, no contact)"),
        key("step", &IntegratorSpec::step, "s",
            "h; divides output.interval. Adaptive: the largest, which need not divide it")
            .above(0),
@@ -91,7 +100,8 @@ const Table<ContactSpec>& contact_table() {
            "barrier only: Coulomb's coefficient, thread on thread")
            .at_least(0),
        key("gap", &ContactSpec::gap, "m",
-           "barrier only: how far from each other surfaces begin to push; 0: a quarter of the thinnest "
+           "barrier only: how far from each other surfaces begin to push; 0: a quarter of the "
+           "thinnest "
            "thread's radius")
            .at_least(0),
        key("stick_speed", &ContactSpec::stick_speed, "m/s",

@@ -55,7 +55,9 @@ StepReport Simulation::advance_explicitly(double end, const PrescribedMotion& mo
   StepReport report;
   report.h = end - state_.time;
   report.substeps = explicit_substeps(stable_step_, integrator_, report.h);
-  ExplicitStepper::Job job;
+  ExplicitStepper::Job& job = job_;
+  job.laws.clear();
+  job.ways.clear();
   job.h = report.h;
   job.substeps = report.substeps;
   job.body_gravity = environment_.gravity;
@@ -71,13 +73,14 @@ StepReport Simulation::advance_explicitly(double end, const PrescribedMotion& mo
     const std::vector<Prescribed> before = motion(state_.time);
     for (const Prescribed& p : motion(end)) job.ways.push_back(way_to(p, before, state_, report.h));
   }
-  if (!bodies_held_) job.contact = explicit_contact_.get();
-  const std::vector<BodyState> old = state_.bodies;
+  job.contact = bodies_held_ ? nullptr : explicit_contact_.get();
   // A step that fails leaves the last accepted state.
-  State next = state_;
-  next.time = end;
-  explicit_->run(job, free_bodies(report.h), next);
-  state_ = std::move(next);
+  next_ = state_;
+  next_.time = end;
+  free_bodies(report.h, free_bodies_);
+  explicit_->run(job, free_bodies_, next_);
+  std::swap(state_, next_);
+  const std::vector<BodyState>& old = next_.bodies;
   if (job.contact) report.unsettled = job.contact->unsettled();
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     if ((*bodies_)[b].fixed || bodies_held_) continue;

@@ -38,15 +38,14 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
   contacts_.reserve(radius_.size() * bodies_->size());
   drift_ = 0.0;
   unsettled_ = 0;
+  any_far_ = true;
   for (std::size_t i = 0; i < radius_.size(); ++i) {
     const Index node = static_cast<Index>(i);
     if ((*nodes_.held)[i]) continue;
     for (std::size_t b = 0; b < free_.size(); ++b) {
       const Index body = static_cast<Index>(b);
       if (lower_gap(node, body) > kNear * radius_[i]) continue;
-      Contact c;
-      c.node = node;
-      c.body = body;
+      Contact c = watched(node, body);
       query(c, inward(body, poses_[b], nodes_.layout->read(nodes_.x, node)));
       c.place = c.anchor = c.origin;
       c.gap = c.distance - radius_[i];
@@ -135,7 +134,6 @@ void ExplicitContact::aim(Contact& c) {
 
 // Books what a contact gave, and keeps what the next sub-step needs.
 void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
-  const SweepLayout& layout = *nodes_.layout;
   c.pushed = c.push > 0.0;
   if (c.pushed) {
     given.impulse += c.push * c.up + c.drag;
@@ -143,30 +141,39 @@ void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
   } else {
     c.sticks = false;
   }
-  Vec3 x = layout.read(nodes_.x, c.node);
+  lift(c, nodes_.layout->read(nodes_.x, c.node), given);
+  any_far_ |= c.gap > kFar * c.radius;
+  if (!c.sticks) c.anchor = c.place;
+  c.relative = relative_velocity(c);
+  c.fresh = false;
+}
+
+// Notes where a node has come to, and takes it out of the body.
+void ExplicitContact::lift(Contact& c, Vec3 x, Given& given) {
   Vec3 at = inward(c.body, poses_[c.body], x);
   c.gap = gap_at(c, at);
   if (c.gap < 0.0) {  // depth is undone without velocity, lest it become energy
     const Vec3 shift = std::min(-c.gap, kMostShift * radius_[c.node]) * world_normal(c);
     x += shift;
-    layout.write(nodes_.x, c.node, x);
+    nodes_.layout->write(nodes_.x, c.node, x);
     given.shift += (*nodes_.mass)[c.node] * shift;
     at = inward(c.body, poses_[c.body], x);
     c.gap = gap_at(c, at);
   }
   c.place = at;
-  if (!c.sticks) c.anchor = at;
-  c.relative = relative_velocity(c);
-  c.fresh = false;
 }
 
 ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, Account& account) {
   Given given;
   move_bodies(gravity, kick);
   look_for_entries();
-  for (Contact& c : contacts_) meet(c);
-  solve_all(true);
-  for (Contact& c : contacts_) leave(c, account, given);
+  if (alone()) {
+    for (Contact& c : contacts_) settle_alone(c, account, given);
+  } else {
+    for (Contact& c : contacts_) meet(c);
+    solve_all(true);
+    for (Contact& c : contacts_) leave(c, account, given);
+  }
   for (std::size_t b = 0; b < free_.size(); ++b)
     if (free_[b].touched) refresh(static_cast<Index>(b));
   drop_far();

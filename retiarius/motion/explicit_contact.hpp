@@ -19,7 +19,9 @@ namespace retiarius {
 // Cost: each node has a box within which it cannot touch, since distances change by no more than
 // the ways of node and body; only nodes outside their box are looked at. Near a surface, the plane
 // at the last query serves for a hundredth of the thread's radius r: the surface at distance r is
-// nowhere bent more than 1 / r, so the plane is wrong by less than r / 20,000 there.
+// nowhere bent more than 1 / r, so the plane is wrong by less than r / 20,000 there. Where the
+// query found a gap, it serves for nine tenths of that: neither the surface nor the plane can be
+// met there.
 class ExplicitContact {
  public:
   // radius: of the thread at each node, m.
@@ -63,23 +65,28 @@ class ExplicitContact {
   static constexpr double kNear = 0.5;
   static constexpr double kFar = 1.0;
 
+  // What each sub-step needs of a contact comes first, in few cache lines.
   struct Contact {
     Index node = kNone, body = kNone;
+    SweepLayout::Slot slot;  // of the node
+    double mass = 0.0, radius = 0.0;
     // The query that stands for the surface; in body axes, of a fixed body in world axes.
-    Vec3 origin = Vec3::Zero(), normal = Vec3::UnitZ();
+    Vec3 origin = Vec3::Zero();
+    double reach = 0.0;  // distance from there within which it serves, squared, m2
+    Vec3 normal = Vec3::UnitZ();
     double distance = 0.0;
+    double gap = 0.0;   // at the end of the last sub-step, m
+    bool fresh = true;  // `relative` is not known yet
+    bool sticks = false, pushed = false;
     Vec3 place = Vec3::Zero();     // of the node at the end of the last sub-step, body axes
     Vec3 anchor = Vec3::Zero();    // where it sticks, body axes
-    double gap = 0.0;              // at the end of the last sub-step, m
-    Vec3 relative = Vec3::Zero();  // velocity then
-    bool fresh = true;             // `relative` is not known yet
-    bool sticks = false, pushed = false;
+    Vec3 relative = Vec3::Zero();  // velocity at the end of the last sub-step
     // World axes; kept through the turns of a sub-step, so that a turn can take back an earlier
-    // one.
-    Vec3 up = Vec3::UnitZ();      // normal
-    Vec3 lever = Vec3::Zero();    // from the body's centre
+    // one. All zero while nothing is pushed.
     double push = 0.0;            // along the normal in this sub-step, N s
     Vec3 drag = Vec3::Zero();     // friction's impulse in this sub-step, N s
+    Vec3 up = Vec3::UnitZ();      // normal
+    Vec3 lever = Vec3::Zero();    // from the body's centre
     Vec3 impulse = Vec3::Zero();  // on the node since begin()
   };
   struct Free {                           // what a free body has beside its state
@@ -94,9 +101,10 @@ class ExplicitContact {
   void guard(Index node);
   void guard_all();
   void look_for_entries();
-  bool enters(Index node, Index body, const Vec3& from, const Vec3& to, Contact& contact) const;
+  bool enters(const Vec3& from, const Vec3& to, Contact& contact) const;
   bool active(Index node, Index body) const;
   void add(Contact contact);
+  Contact watched(Index node, Index body) const;
   void drop_far();
   void query(Contact& c, const Vec3& at) const;
   void look_again(Contact& c, const Vec3& at) const;
@@ -105,6 +113,11 @@ class ExplicitContact {
   void solve_all(bool moves);
   double solve(Contact& c, double lack, bool moves);
   void leave(Contact& c, Account& account, Given& given);
+  void lift(Contact& c, Vec3 x, Given& given);
+  bool alone() const;
+  void settle_alone(Contact& c, Account& account, Given& given);
+  void stop_alone(Contact& c, double lack, Vec3& x, Vec3& v) const;
+  static void book_alone(const Contact& c, const Vec3& x, const Vec3& v, Account& account);
   double rounding(const Contact& c, bool moves) const;
   double gap_at(const Contact& c, const Vec3& at) const;
   Vec3 inward(Index body, const BodyState& pose, const Vec3& x) const;
@@ -124,6 +137,7 @@ class ExplicitContact {
   std::vector<BodyState> poses_, old_poses_;
   std::vector<Free> free_;
   bool any_free_ = false;
+  bool any_far_ = false;                // contacts that may be let go
   int unsettled_ = 0;                   // times since begin() that turns were not enough
   double drift_ = 0.0;                  // way of the fastest surface point since begin(), m
   double earliest_ = 0.0;               // drift at which a guard ends

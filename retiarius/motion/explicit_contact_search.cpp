@@ -8,13 +8,31 @@ namespace retiarius {
 
 namespace {
 
-// How far a plane serves, as a share of the thread's radius.
-constexpr double kPlaneReach = 0.01;
+// By how much a plane may be wrong, as a share of the thread's radius.
+constexpr double kPlaneError = 5e-5;
+// How far it serves at least, as a share of the gap that the query found.
+constexpr double kClearReach = 0.9;
 // Cosine between normals of one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostPathSteps = 400;
 
+// A radius that the surface's radii of curvature are not below, m.
+double smallest_bend(const Body& body) {
+  if (body.kind == ShapeKind::plane) return kInfinity;
+  return body.kind == ShapeKind::sphere ? body.shape->bounding_radius() : 0.0;
+}
+
 }  // namespace
+
+ExplicitContact::Contact ExplicitContact::watched(Index node, Index body) const {
+  Contact c;
+  c.node = node;
+  c.body = body;
+  c.slot = nodes_.layout->slot(node);
+  c.mass = (*nodes_.mass)[node];
+  c.radius = radius_[node];
+  return c;
+}
 
 double ExplicitContact::gap_to(Index node, Index body) const {
   const Vec3 at = to_body(poses_[body], nodes_.layout->read(nodes_.x, node));
@@ -76,18 +94,18 @@ void ExplicitContact::query(Contact& c, const Vec3& at) const {
   c.origin = at;
   c.normal = body.fixed ? Vec3(pose.attitude * p.normal) : p.normal;
   c.distance = p.distance;
+  const double clear = std::max(0.0, kClearReach * (p.distance - c.radius));
+  c.reach =
+      std::max(2.0 * kPlaneError * c.radius * (smallest_bend(body) + c.radius), clear * clear);
 }
 
 // Follows a straight path in body axes, advancing by the distance to the surface. True with the
 // query where it comes nearer than the radius.
-bool ExplicitContact::enters(Index node, Index body, const Vec3& from, const Vec3& to,
-                             Contact& contact) const {
-  const double r = radius_[node];
+bool ExplicitContact::enters(const Vec3& from, const Vec3& to, Contact& contact) const {
+  const double r = contact.radius;
   const double length = (to - from).norm();
   double t = 0.0;
   for (int k = 0; k < kMostPathSteps; ++k) {
-    contact.node = node;
-    contact.body = body;
     query(contact, from + t * (to - from));
     const double gap = contact.distance - r;
     if (gap <= (t < 1.0 ? 1e-3 * r : 0.0)) return true;
@@ -106,9 +124,9 @@ void ExplicitContact::look_for_entries() {
       const Index body = static_cast<Index>(b);
       if (active(node, body) || lower_gap(node, body) > (x - old).norm() + kFar * radius_[node])
         continue;
-      Contact c;
+      Contact c = watched(node, body);
       const Vec3 from = inward(body, old_poses_[b], old), to = inward(body, poses_[b], x);
-      if (!enters(node, body, from, to, c) && c.distance > (1.0 + kNear) * radius_[node]) continue;
+      if (!enters(from, to, c) && c.distance > (1.0 + kNear) * radius_[node]) continue;
       c.place = c.anchor = from;
       add(c);
     }
@@ -131,26 +149,27 @@ void ExplicitContact::look_for_entries() {
 // A new query where the old one no longer serves. A node that seems to have come to another side
 // is followed on its way there.
 void ExplicitContact::look_again(Contact& c, const Vec3& at) const {
-  const double reach = kPlaneReach * radius_[c.node];
-  if ((at - c.origin).squaredNorm() <= reach * reach) return;
+  if ((at - c.origin).squaredNorm() <= c.reach) return;
   const Vec3 normal = c.normal;
   const double plane_gap = c.distance + normal.dot(at - c.origin) - radius_[c.node];
   query(c, at);
   if (plane_gap >= 0.0 || c.normal.dot(normal) >= kSameSide) return;
-  Contact hit;
-  if (enters(c.node, c.body, c.place, at, hit)) {
+  Contact hit = watched(c.node, c.body);
+  if (enters(c.place, at, hit)) {
     c.origin = hit.origin;
     c.normal = hit.normal;
     c.distance = hit.distance;
+    c.reach = hit.reach;
   }
 }
 
 // Nodes that have left are guarded by their boxes again.
 void ExplicitContact::drop_far() {
+  if (!any_far_) return;
+  any_far_ = false;
   const auto far = [&](const Contact& c) {
-    return c.gap > kFar * radius_[c.node] && c.impulse.isZero(0.0);
+    return c.gap > kFar * c.radius && c.impulse.isZero(0.0);
   };
-  if (std::none_of(contacts_.begin(), contacts_.end(), far)) return;
   for (std::size_t k = 0; k < contacts_.size();) {
     if (!far(contacts_[k])) {
       ++k;

@@ -24,7 +24,7 @@ constexpr double kClosed = 1e-6;
 }  // namespace
 
 double ExplicitContact::gap_at(const Contact& c, const Vec3& at) const {
-  return c.distance + c.normal.dot(at - c.origin) - radius_[c.node];
+  return c.distance + c.normal.dot(at - c.origin) - c.radius;
 }
 
 Vec3 ExplicitContact::relative_velocity(const Contact& c) const {

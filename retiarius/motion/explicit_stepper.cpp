@@ -35,13 +35,14 @@ ExplicitStepper::ExplicitStepper(const Network& network)
       total_mass_(std::accumulate(network.mass.begin(), network.mass.end(), 0.0)) {}
 
 void ExplicitStepper::prepare(const Job& job, const State& state) {
-  std::vector<Index> alone;
-  for (const Way& way : job.ways) alone.push_back(way.node);
-  if (!layout_ || alone != alone_) {
+  const bool same = std::equal(alone_.begin(), alone_.end(), job.ways.begin(), job.ways.end(),
+                               [](Index node, const Way& way) { return node == way.node; });
+  if (!layout_ || !same) {
+    alone_.clear();
+    for (const Way& way : job.ways) alone_.push_back(way.node);
     std::vector<char> flags(network_->mass.size(), 0);
-    for (const Index node : alone) flags[node] = 1;
+    for (const Index node : alone_) flags[node] = 1;
     layout_ = std::make_unique<SweepLayout>(*network_, flags);
-    alone_ = std::move(alone);
     held_ = std::move(flags);
     const auto size = static_cast<std::size_t>(layout_->size());
     x_.resize(size);

@@ -24,6 +24,20 @@ const char* to_string(Method method) {
   return "";
 }
 
+std::string single_update_refusal(const IntegratorSpec& integrator, const ContactSpec& contact,
+                                  bool bodies) {
+  if (integrator.newton != Newton::single) return {};
+  if (integrator.method != Method::implicit_euler)
+    return "needs method = \"implicit-euler\", whose damping it relies on";
+  if (integrator.solver == Solver::pcg)
+    return "needs a direct solver: what conjugate gradients leave would not be made up for";
+  if (integrator.adaptive)
+    return "needs adaptive = false: its error would hide in the estimate of the local one";
+  if ((bodies && contact.method != ContactMethod::none) || contact.self)
+    return "needs contact.method = \"none\": contacts take more than one iteration to settle";
+  return {};
+}
+
 GeneralisedAlpha generalised_alpha(double rho) {
   GeneralisedAlpha a{};
   a.alpha_m = (2.0 * rho - 1.0) / (rho + 1.0);
@@ -93,8 +107,9 @@ std::vector<Vec3> alpha_drift(double rho, const Step& step, const std::vector<Ve
 }
 
 std::vector<Vec3> predicted_stage(Method method, const Step& step,
-                                  const std::vector<Vec3>& acceleration, double rho) {
-  std::vector<Vec3> y = first_guess(method, step);
+                                  const std::vector<Vec3>& acceleration, double rho,
+                                  std::vector<Vec3> room) {
+  std::vector<Vec3> y = first_guess(method, step, std::move(room));
   double share = 0.0;  // of h^2 a0
   if (method == Method::newmark || method == Method::tr_bdf2) share = 0.25;
   if (method == Method::generalised_alpha) {
@@ -106,8 +121,9 @@ std::vector<Vec3> predicted_stage(Method method, const Step& step,
   return y;
 }
 
-std::vector<Vec3> first_guess(Method method, const Step& step) {
-  std::vector<Vec3> y = step.start->x;
+std::vector<Vec3> first_guess(Method method, const Step& step, std::vector<Vec3> room) {
+  std::vector<Vec3> y = std::move(room);
+  y = step.start->x;
   if (method == Method::static_solve) return y;
   const double time = step.h / step.reach;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += time * step.start->v[i];

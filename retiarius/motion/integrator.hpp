@@ -1,14 +1,21 @@
 // The time integrators, each reduced to one stage position that a step solves for.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "retiarius/contact/spec.hpp"
 #include "retiarius/motion/spec.hpp"
 #include "retiarius/state/step.hpp"
 
 namespace retiarius {
 
 const char* to_string(Method method);
+
+// Why a single Newton update cannot serve with this integrator and contact, to follow the setting's
+// name; empty where it can. bodies: whether there are any to touch.
+std::string single_update_refusal(const IntegratorSpec& integrator, const ContactSpec& contact,
+                                  bool bodies);
 
 // The step of length h from `start` by a dynamic method; the coefficients that laws see.
 //
@@ -38,11 +45,13 @@ std::vector<Vec3> alpha_drift(double rho, const Step& step, const std::vector<Ve
 
 // Where inertia alone (for Newmark and generalised alpha: and their share of the start's
 // acceleration a0) would bring the stage. acceleration: at the start, m/s2, needed by those two.
+// room: memory to use for it.
 std::vector<Vec3> predicted_stage(Method method, const Step& step,
-                                  const std::vector<Vec3>& acceleration, double rho = 0.9);
+                                  const std::vector<Vec3>& acceleration, double rho = 0.9,
+                                  std::vector<Vec3> room = {});
 
 // Where the iteration starts: with the velocity that the nodes have.
-std::vector<Vec3> first_guess(Method method, const Step& step);
+std::vector<Vec3> first_guess(Method method, const Step& step, std::vector<Vec3> room = {});
 
 namespace tr_bdf2 {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ State initial_state(const Network& network, const std::vector<Body>& bodies) {
 }
 
 Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, State state,
-                       LawWrapper wrap)
+                       LawWrapper wrap, std::unique_ptr<LinearSolver> solver)
     : network_(&network), bodies_(&bodies), state_(std::move(state)), wrap_(std::move(wrap)) {
   auto stretching = std::make_unique<Stretching>(network);
   stretching_ = stretching.get();
@@ -68,7 +69,7 @@ Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, 
     add_law(std::move(bending));
   }
   lasting_laws_ = laws_.size();
-  problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, make_multifrontal_solver());
+  problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, std::move(solver));
   length_scale_ = median_rest_length(network);
   tensions_ = stretching_->tensions(state_.x);
 }
@@ -86,6 +87,7 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   if (configured_ && !same) forget_acceleration();
   configured_ = true;
   environment_ = environment;
+  check_newton(integrator, contact);
   integrator_ = integrator;
   contact_ = contact;
   laws_.resize(lasting_laws_);
@@ -94,6 +96,7 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   if (environment.damping > 0.0)
     add_law(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
   problem_->bind_laws();
+  problem_->iterate(iterates());
   response_.reset();
   barrier_.reset();
   // What touches goes on touching where the method stays.
@@ -114,6 +117,39 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
                                                contact.friction);
   if (contact.method == ContactMethod::barrier)
     barrier_ = std::make_unique<BarrierContact>(*network_, *bodies_, contact, integrator.step);
+}
+
+// A single update without line search holds where stiffness grows no more than the quadratic model
+// foresees; a thread that jumps from slack to taut, or a contact that closes, is not of that kind.
+void Simulation::check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const {
+  if (integrator.newton != Newton::single) return;
+  if (const std::string why = single_update_refusal(integrator, contact, !bodies_->empty());
+      !why.empty())
+    throw Error("integrator.newton = \"single\" " + why);
+  for (const Material& m : network_->materials)
+    if (!m.compression)
+      throw Error(
+          "integrator.newton = \"single\" needs threads that carry compression: a single "
+          "update takes tension-only ones far beyond where they become taut");
+}
+
+// Whether conjugate gradients are to solve the equations. Their number of iterations follows from
+// the spread of the eigenvalues of h^2 K / m, from 0 to (2 h / stable step)^2.
+bool Simulation::iterates() const {
+  if (integrator_.solver != Solver::automatic) return integrator_.solver == Solver::pcg;
+  if (integrator_.newton == Newton::single || !bodies_->empty()) return false;
+  if (integrator_.method == Method::static_solve ||
+      integrator_.method == Method::explicit_differences)
+    return false;
+  // Times in ns, measured on nets.
+  constexpr double kBlock = 5.0, kNode = 12.0, kFlop = 0.04, kEntry = 1.2, kGain = 0.5;
+  const double ratio = 2.0 * integrator_.step / stable_explicit_step(*network_).step;
+  const double iterations = 0.5 * std::sqrt(1.0 + ratio * ratio) * std::log(2.0 / kPcgTolerance);
+  const double nodes = network_->node_count(), pairs = problem_->pattern().pairs();
+  const double gradients = iterations * (kBlock * (nodes + 2.0 * pairs) + kNode * nodes);
+  const LinearSolver& direct = problem_->direct_solver();
+  const double factor = kFlop * direct.factor_flops() + kEntry * direct.factor_entries();
+  return gradients < kGain * factor;
 }
 
 // Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
@@ -154,19 +190,18 @@ double Simulation::contact_energy() const {
 }
 
 // Bodies fall exactly and tumble without torque; contact adds to that.
-std::vector<BodyState> Simulation::free_bodies(double h) const {
-  if (bodies_held_) return state_.bodies;
-  std::vector<BodyState> result;
+void Simulation::free_bodies(double h, std::vector<BodyState>& result) const {
+  result = state_.bodies;
+  if (bodies_held_) return;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     const Body& body = (*bodies_)[b];
-    BodyState s = free_motion(body, state_.bodies[b], h);
+    BodyState& s = result[b];
+    s = free_motion(body, state_.bodies[b], h);
     if (!body.fixed) {
       s.position += 0.5 * h * h * environment_.gravity;
       s.velocity += h * environment_.gravity;
     }
-    result.push_back(s);
   }
-  return result;
 }
 
 bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
@@ -174,16 +209,17 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
                              const PrescribedMotion& motion, StepReport& report,
                              std::string& failure) {
   const std::vector<Prescribed> prescribed = motion ? motion(end) : std::vector<Prescribed>{};
-  StepProblem::Start start;
+  StepProblem::Start start = problem_->take_start();
   start.step = &step;
-  start.predicted = std::move(predicted);
-  start.guess = first_guess(integrator_.method, step);
+  predicted_room_ = std::exchange(start.predicted, std::move(predicted));
+  start.guess = first_guess(integrator_.method, step, std::move(start.guess));
   start.prescribed = &prescribed;
-  start.bodies = free_bodies(step.h);
+  free_bodies(step.h, start.bodies);
   start.contact = bodies_held_ ? nullptr : response_.get();
   start.barrier = bodies_held_ ? nullptr : barrier_.get();
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
+  start.linear = integrator_.newton == Newton::single;
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
@@ -194,7 +230,9 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;
   settings.reuse = reuses_factors();
-  const NewtonResult result = minimise(*problem_, settings);
+  report.single = integrator_.newton == Newton::single;
+  const NewtonResult result =
+      report.single ? update_once(*problem_) : minimise(*problem_, settings);
   report.iterations += result.iterations;
   report.factorisations += result.factorisations;
   report.projections += result.projections;
@@ -252,28 +290,32 @@ StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion)
 // Turns the solved stage into the next state and books what the step exchanged.
 void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescribed,
                         const std::vector<Vec3>& past_change, double end) {
-  const State old = state_;
+  const State& old = old_ = state_;
   Step done = step;
   done.start = &old;
   const std::vector<Vec3>& y = problem_->stage();
   const std::vector<Vec3>& g = problem_->gradient();
   // Before the state changes, which the problem still sees as the step's start.
-  std::vector<Vec3> force;
+  std::vector<Vec3>& force = contact_force_;
+  force.clear();
   if (response_) {
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
   }
   contacts_ = problem_->barrier_contacts();
-  std::vector<Vec3> friction;
+  std::vector<Vec3>& friction = friction_;
+  friction.clear();
   for (const Constraint& c : problem_->constraints())
     friction.push_back(problem_->friction_force(c));
   State& now = state_;
-  now.x = problem_->end_positions();
-  now.bodies = problem_->end_bodies();
+  end_positions_ = problem_->end_positions(std::move(end_positions_));
+  now.x.swap(end_positions_);
+  problem_->end_bodies(now.bodies);
   // The velocity that goes with the positions, less what Newton's tolerance left as residual:
   // linear momentum is then kept to round-off whatever the tolerance.
   const double weight = step.reaction_impulse();
-  std::vector<Vec3> residual = g;
+  std::vector<Vec3>& residual = residual_;
+  residual = g;
   const std::vector<Vec3>& predicted = problem_->predicted();
   law_change_.resize(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -316,7 +358,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   }
   now.time = end;
   ++now.step;
-  tensions_ = stretching_->tensions(y);
+  stretching_->tensions(y, tensions_);
 }
 
 // Puts prescribed nodes on their path, with the impulse and work that this takes.

@@ -36,6 +36,7 @@ struct StepReport {
   int projections = 0;  // of the Hessian
   int substeps = 0;     // of the explicit integrator; 0 by any other
   int unsettled = 0;    // of these, solves of contacts that did not settle
+  bool single = false;  // by a single Newton update, which is not converged
 };
 
 // The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number
@@ -51,10 +52,12 @@ class Simulation {
  public:
   // Network and bodies must outlive the simulation. `wrap` sees every law before it joins; what the
   // simulation reports of energies and tensions is that of its own laws.
+  // solver: of the linear equations; by default the one that suits the net.
   Simulation(const Network& network, const std::vector<Body>& bodies, State state,
-             LawWrapper wrap = {});
+             LawWrapper wrap = {}, std::unique_ptr<LinearSolver> solver = make_net_solver());
 
-  // Sets surroundings, integrator and contact for the steps that follow.
+  // Sets surroundings, integrator and contact for the steps that follow. Throws Error where a
+  // single Newton update (see Newton) is asked for and cannot serve.
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                  const ContactSpec& contact);
 
@@ -117,8 +120,10 @@ class Simulation {
   void remember_acceleration(double h);
   double local_error(std::vector<Vec3> error) const;
   std::vector<Vec3> start_acceleration(Exchange& outside);
-  std::vector<BodyState> free_bodies(double h) const;
+  void free_bodies(double h, std::vector<BodyState>& result) const;
   double round_off_step() const;
+  void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
+  bool iterates() const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed,
@@ -148,6 +153,11 @@ class Simulation {
   // Of the last stage: what the laws alone changed of each node's velocity, m/s; what their outside
   // forces exchanged, as they state it; and what of earlier ones acts on the next stage.
   std::vector<Vec3> law_change_;
+  // Memory of a step, kept for the next.
+  State old_, next_;
+  std::vector<Vec3> predicted_room_, contact_force_, friction_, residual_, end_positions_;
+  std::vector<BodyState> free_bodies_;
+  ExplicitStepper::Job job_;
   Exchange exchange_, carried_;
   double local_error_ = 0.0;  // of the last adaptive step, over the median rest length
   bool configured_ = false;

@@ -74,7 +74,8 @@ bool Simulation::try_one_stage(double end, const PrescribedMotion& motion, StepR
     Exchange unused;
     acceleration = start_acceleration(unused);
   }
-  std::vector<Vec3> predicted = predicted_stage(method, step, acceleration, integrator_.rho);
+  std::vector<Vec3> predicted =
+      predicted_stage(method, step, acceleration, integrator_.rho, std::move(predicted_room_));
   if (step.drift && motion) follow_paths(motion(end), step, drift, predicted);
   std::vector<Vec3> past_change;
   if (past != 0.0) past_change = times(past, acceleration);

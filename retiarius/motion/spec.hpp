@@ -13,9 +13,14 @@ enum class Method {
   static_solve
 };
 
-// How a step's equations are solved: with a new factorisation for every iteration (direct), or with
-// one kept while it serves (reuse). automatic: reuse where all threads carry compression.
-enum class Solver { automatic, direct, reuse };
+// How a step's equations are solved: with a new factorisation for every iteration (direct), with
+// one kept while it serves (reuse), or by conjugate gradients (pcg). automatic: pcg where the
+// counts tell that it is quicker, else reuse where all threads carry compression, else direct.
+enum class Solver { automatic, direct, reuse, pcg };
+
+// How far the equations of an implicit step are solved: to the tolerance, or by one Newton update
+// from where the velocities lead (linearly implicit: quicker, for real time, never converged).
+enum class Newton { converged, single };
 
 struct IntegratorSpec {
   Method method = Method::implicit_euler;
@@ -24,6 +29,7 @@ struct IntegratorSpec {
   double substep = 0.0;
   double tolerance = 1.0e-8;  // of Newton's iteration
   Solver solver = Solver::automatic;
+  Newton newton = Newton::converged;
   double rho = 0.9;  // spectral radius of generalised alpha at infinite frequency, 0 to 1
   bool adaptive = false;
   // Local error that an adaptive step may make: root mean square over the nodes of the error of

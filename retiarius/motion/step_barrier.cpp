@@ -21,7 +21,7 @@ void StepProblem::find_end(End& end) const {
   end.nodes.resize(y_.size());
   for (std::size_t i = 0; i < y_.size(); ++i)
     end.nodes[i] = step.start->x[i] + step.reach * (y_[i] - step.start->x[i]);
-  end.bodies = end_bodies();
+  end_bodies(end.bodies);
   end.turns.resize(b_.size());
   for (std::size_t b = 0; b < b_.size(); ++b) end.turns[b] = step.reach * b_[b].tail<3>();
 }

@@ -3,14 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "retiarius/base/parallel.hpp"
 #include "retiarius/base/stopwatch.hpp"
 
 namespace retiarius {
 
+namespace {
+
+constexpr std::size_t kNodes = 4096;  // that a thread takes at once
+
+}  // namespace
+
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
                          std::vector<std::unique_ptr<Law>>& laws,
                          std::unique_ptr<LinearSolver> solver)
-    : mass_(std::move(mass)), bodies_(&bodies), laws_(&laws), solver_(std::move(solver)) {
+    : mass_(std::move(mass)),
+      bodies_(&bodies),
+      laws_(&laws),
+      solver_(std::move(solver)),
+      active_(solver_.get()) {
   const std::size_t n = mass_.size();
   laws_pattern_ = BlockPattern(static_cast<Index>(n));
   for (const auto& law : laws) law->couple(laws_pattern_);
@@ -29,6 +40,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
 void StepProblem::use_pattern() {
   matrix_.pattern = nullptr;
   solver_->analyse(pattern_);
+  if (gradients_) gradients_->analyse(pattern_);
   bind_laws();
   const std::size_t n = mass_.size();
   neighbour_starts_.assign(n + 1, 0);
@@ -50,6 +62,14 @@ void StepProblem::use_pattern() {
   }
 }
 
+void StepProblem::iterate(bool by_gradients) {
+  if (by_gradients && !gradients_) {
+    gradients_ = make_pcg_solver();
+    gradients_->analyse(pattern_);
+  }
+  active_ = by_gradients ? gradients_.get() : solver_.get();
+}
+
 void StepProblem::bind_laws() {
   for (const auto& law : *laws_) law->bind(pattern_);
 }
@@ -69,9 +89,10 @@ void StepProblem::begin(Start start) {
   b_.assign(bodies_->size(), Vec6::Zero());
   db_ = b_;
   if (start_.contact) {
-    std::vector<bool> held(mass_.size(), false);
-    for (const Prescribed& p : *start_.prescribed) held[p.node] = true;
-    start_.contact->begin(step, end_positions(), start_.bodies, held);
+    held_.assign(mass_.size(), false);
+    for (const Prescribed& p : *start_.prescribed) held_[p.node] = true;
+    end_positions_ = end_positions(std::move(end_positions_));
+    start_.contact->begin(step, end_positions_, start_.bodies, held_);
   }
   collect_constraints();
   project_guess();
@@ -164,19 +185,12 @@ double StepProblem::sum_up(Assembly out) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
   double value = 0.0, inertial = 0.0;
   for (const auto& law : *laws_) value += law->assemble(step, y_, out);
-  for (std::size_t b = 0; b < b_.size(); ++b) body_gradient_[b] = body_mass_[b] * b_[b];
-  for (std::size_t b = 0; b < b_.size(); ++b) value += 0.5 * b_[b].dot(body_gradient_[b]);
-  if (start_.barrier) value += add_barrier(out);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const Vec3 off = y_[i] - start_.predicted[i];
-    const Vec3 inertia = step.inertia * mass_[i] * off;
-    inertial += mass_[i] * off.squaredNorm();
-    largest = std::max({largest, gradient_[i].squaredNorm(), inertia.squaredNorm()});
-    gradient_[i] += inertia;
-    if (out.hessian) matrix_.diagonal[i].diagonal().array() += step.inertia * mass_[i];
+  for (std::size_t k = 0; k < b_.size(); ++k) {
+    body_gradient_[k] = body_mass_[k] * b_[k];
+    value += 0.5 * b_[k].dot(body_gradient_[k]);
   }
-  largest_force_ = std::sqrt(largest);
+  if (start_.barrier) value += add_barrier(out);
+  inertial = add_inertia(out.hessian != nullptr);
   value += 0.5 * step.inertia * inertial;
   for (const Constraint& c : constraints_) {
     if (c.limit <= 0.0) continue;
@@ -195,6 +209,29 @@ double StepProblem::sum_up(Assembly out) {
   return value;
 }
 
+// Inertia's share of gradient and Hessian; notes the largest force. Returns the sum of m off^2.
+double StepProblem::add_inertia(bool hessian) {
+  const double inertia = start_.step->inertia;
+  largest_parts_.resize((mass_.size() + kNodes - 1) / kNodes);
+  const double sum = parallel_sum(mass_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    double part = 0.0, largest = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 off = y_[i] - start_.predicted[i];
+      const Vec3 force = inertia * mass_[i] * off;
+      part += mass_[i] * off.squaredNorm();
+      largest = std::max({largest, gradient_[i].squaredNorm(), force.squaredNorm()});
+      gradient_[i] += force;
+      if (hessian) matrix_.diagonal[i].diagonal().array() += inertia * mass_[i];
+    }
+    largest_parts_[begin / kNodes] = largest;
+    return part;
+  });
+  double largest = 0.0;
+  for (const double part : largest_parts_) largest = std::max(largest, part);
+  largest_force_ = std::sqrt(largest);
+  return sum;
+}
+
 // Displacement of a sliding node along the surface, relative to the body, over the step, m.
 Vec3 StepProblem::slip(const Constraint& c) const {
   const Step& step = *start_.step;
@@ -211,89 +248,13 @@ Vec3 StepProblem::friction_force(const Constraint& c) const {
 }
 
 // The gradient with respect to each body's unknowns, with the nodes that follow it.
-std::vector<Vec6> StepProblem::reduced_body_gradient() const {
-  std::vector<Vec6> g = body_gradient_;
+const std::vector<Vec6>& StepProblem::reduced_body_gradient() const {
+  std::vector<Vec6>& g = reduced_;
+  g = body_gradient_;
   for (const Constraint& c : constraints_) {
     if (c.body != kNone) g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
   }
   return g;
-}
-
-Mat63& StepProblem::Border::at(Index node) {
-  if (place[node] == kNone) {
-    place[node] = static_cast<Index>(nodes.size());
-    nodes.push_back(node);
-    rows.push_back(Mat63::Zero());
-  }
-  return rows[place[node]];
-}
-
-void StepProblem::Border::clear() {
-  for (const Index node : nodes) place[node] = kNone;
-  nodes.clear();
-  rows.clear();
-}
-
-// The columns K N J of the bodies that touch.
-void StepProblem::build_borders() {
-  for (const Index body : touching_) borders_[body].clear();
-  touching_.clear();
-  for (const Constraint& c : constraints_) {
-    if (c.body == kNone) continue;
-    Border& border = borders_[c.body];
-    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
-    if (border.nodes.empty()) touching_.push_back(c.body);
-    const Mat63 follows = lever_map(c).transpose() * c.blocked;
-    border.at(c.node) += follows * matrix_.diagonal[c.node].transpose();
-    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
-      const Neighbour& n = neighbours_[s];
-      const Mat3& block = matrix_.below[n.slot];
-      border.at(n.node) += n.row ? Mat63(follows * block) : Mat63(follows * block.transpose());
-    }
-  }
-  for (const ContactAssembly::NodeBody& e : node_body_) {
-    Border& border = borders_[e.body];
-    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
-    border.at(e.node) += e.block.transpose();
-  }
-  for (const ContactAssembly::BodyBody& e : body_body_)
-    touching_.insert(touching_.end(), {e.first, e.second});
-  for (const ContactAssembly::NodeBody& e : node_body_) touching_.push_back(e.body);
-  std::sort(touching_.begin(), touching_.end());
-  touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
-  for (const Index body : touching_) {
-    Border& border = borders_[body];
-    if (border.place.empty()) border.place.assign(mass_.size(), kNone);
-  }
-  build_border_diagonal();
-}
-
-// The blocks J^T N K N J of each pair of bodies that touch, with the bodies' masses.
-void StepProblem::build_border_diagonal() {
-  const std::size_t count = touching_.size();
-  border_diagonal_.assign(count * count, Mat6::Zero());
-  for (std::size_t p = 0; p < count; ++p) {
-    border_diagonal_[p * count + p] = body_mass_[touching_[p]];
-    for (const Constraint& c : constraints_) {
-      if (c.body != touching_[p]) continue;
-      const Mat63 follows = lever_map(c).transpose() * c.blocked;
-      for (std::size_t q = 0; q < count; ++q) {
-        const Border& border = borders_[touching_[q]];
-        const Index place = border.place[c.node];
-        if (place == kNone) continue;
-        border_diagonal_[p * count + q] += follows * border.rows[place].transpose();
-      }
-    }
-  }
-  const auto place_of = [&](Index body) {
-    return static_cast<std::size_t>(std::lower_bound(touching_.begin(), touching_.end(), body) -
-                                    touching_.begin());
-  };
-  for (const ContactAssembly::BodyBody& e : body_body_) {
-    const std::size_t p = place_of(e.first), q = place_of(e.second);
-    border_diagonal_[p * count + q] += e.block;
-    if (p != q) border_diagonal_[q * count + p] += e.block.transpose();
-  }
 }
 
 // P K P with the blocked directions held by a diagonal of the block's own size.
@@ -326,8 +287,9 @@ bool StepProblem::find_direction() {
 bool StepProblem::factorise() {
   const Stopwatch watch(times_.factor);
   build_borders();
+  if (start_.linear) keep_rows();
   filter_matrix();
-  if (!solver_->factor(matrix_)) return false;
+  if (!active_->factor(matrix_)) return false;
   if (!touching_.empty()) {
     solve_border_columns();
     build_schur();
@@ -340,13 +302,18 @@ void StepProblem::reuse_direction() { solve_for_direction(); }
 // The direction for the present gradient with the present factorisation and borders.
 void StepProblem::solve_for_direction() {
   const Stopwatch watch(times_.solve);
-  base_y_ = y_;
+  base_y_.resize(y_.size());
   base_b_ = b_;
-  for (std::size_t i = 0; i < dy_.size(); ++i) dy_[i] = -gradient_[i];
+  parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      base_y_[i] = y_[i];
+      dy_[i] = -gradient_[i];
+    }
+  });
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
   // A body that nothing touches any more goes back to its free motion.
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
-  solver_->solve(dy_);
+  active_->solve(dy_);
   if (!touching_.empty()) solve_bordered();
   for (const Constraint& c : constraints_) {
     dy_[c.node] -= c.blocked * dy_[c.node];
@@ -354,89 +321,52 @@ void StepProblem::solve_for_direction() {
   }
 }
 
-// A^-1 B, one column after the other.
-void StepProblem::solve_border_columns() {
-  const std::size_t n = dy_.size();
-  columns_.assign(6 * touching_.size() * n, Vec3::Zero());
-  Vec3* first = columns_.data();
-  for (const Index body : touching_) {
-    const Border& border = borders_[body];
-    for (int k = 0; k < 6; ++k, first += n) {
-      for (std::size_t t = 0; t < border.nodes.size(); ++t) {
-        first[border.nodes[t]] = border.rows[t].row(k).transpose();
-      }
-    }
-  }
-  solver_->solve(columns_);
-}
-
-// B^T x for the columns of one touching body.
-Vec6 StepProblem::border_times(std::size_t body, const Vec3* x) const {
-  const Border& border = borders_[touching_[body]];
-  Vec6 sum = Vec6::Zero();
-  for (std::size_t t = 0; t < border.nodes.size(); ++t) {
-    sum.noalias() += border.rows[t] * x[border.nodes[t]];
-  }
-  return sum;
-}
-
-// The bodies' Schur complement D - B^T A^-1 B, factorised.
-void StepProblem::build_schur() {
-  const std::size_t n = dy_.size(), count = touching_.size();
-  const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
-  schur_.resize(size, size);
-  for (std::size_t p = 0; p < count; ++p) {
-    const Eigen::Index row = static_cast<Eigen::Index>(6 * p);
-    for (std::size_t q = 0; q < count; ++q) {
-      for (int l = 0; l < 6; ++l) {
-        const std::size_t column = 6 * q + static_cast<std::size_t>(l);
-        schur_.block<6, 1>(row, static_cast<Eigen::Index>(column)) =
-            border_diagonal_[p * count + q].col(l) - border_times(p, columns_.data() + column * n);
-      }
-    }
-  }
-  schur_factor_.compute(0.5 * (schur_ + schur_.transpose()));
-}
-
-// A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with A^-1 r in dy on entry.
-void StepProblem::solve_bordered() {
-  const std::size_t n = dy_.size();
-  const std::vector<Vec6> body_gradient = reduced_body_gradient();
-  schur_rhs_.resize(static_cast<Eigen::Index>(6 * touching_.size()));
-  for (std::size_t p = 0; p < touching_.size(); ++p) {
-    schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p)) =
-        -body_gradient[touching_[p]] - border_times(p, dy_.data());
-  }
-  schur_factor_.solveInPlace(schur_rhs_);
-  for (std::size_t p = 0; p < touching_.size(); ++p) {
-    db_[touching_[p]] = schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p));
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    Vec3 d = dy_[i];
-    for (Eigen::Index m = 0; m < schur_rhs_.size(); ++m) {
-      d -= schur_rhs_(m) * columns_[static_cast<std::size_t>(m) * n + i];
-    }
-    dy_[i] = d;
-  }
-}
-
 void StepProblem::filter(std::vector<Vec3>& x) const {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] *= start_.step->inertia * mass_[i];
   for (const Constraint& c : constraints_) x[c.node] -= c.blocked * x[c.node];
-  solver_->solve(x);
+  active_->solve(x);
   for (const Constraint& c : constraints_) x[c.node] -= c.blocked * x[c.node];
 }
 
 double StepProblem::slope() const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < dy_.size(); ++i) sum += gradient_[i].dot(dy_[i]);
+  double sum = parallel_sum(dy_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    double part = 0.0;
+    for (std::size_t i = begin; i < end; ++i) part += gradient_[i].dot(dy_[i]);
+    return part;
+  });
   for (std::size_t b = 0; b < db_.size(); ++b) sum += body_gradient_[b].dot(db_[b]);
   return sum;
 }
 
 void StepProblem::move(double fraction) {
-  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = base_y_[i] + fraction * dy_[i];
+  parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) y_[i] = base_y_[i] + fraction * dy_[i];
+  });
   for (std::size_t b = 0; b < b_.size(); ++b) b_[b] = base_b_[b] + fraction * db_[b];
+}
+
+// The blocks that couple each constrained node to its neighbours, one after the other.
+void StepProblem::keep_rows() {
+  kept_rows_.clear();
+  for (const Constraint& c : constraints_) {
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
+      const Mat3& block = matrix_.below[neighbours_[s].slot];
+      kept_rows_.push_back(neighbours_[s].row ? Mat3(block) : Mat3(block.transpose()));
+    }
+  }
+}
+
+// Constrained nodes do not move in the direction: they are where their targets are.
+void StepProblem::linearise() {
+  std::vector<Vec3>& force = base_y_;  // not needed any more
+  const Mat3* block = kept_rows_.data();
+  for (const Constraint& c : constraints_) {
+    force[c.node] = gradient_[c.node];
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s, ++block)
+      force[c.node] += *block * dy_[neighbours_[s].node];
+  }
+  std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
+  for (const Constraint& c : constraints_) gradient_[c.node] = force[c.node];
 }
 
 double StepProblem::direction_size() const {
@@ -461,8 +391,11 @@ std::pair<double, Index> StepProblem::largest_residual() const {
 
 double StepProblem::residual_ratio() const {
   double largest = largest_residual().first;
+  if (bodies_->empty())
+    return largest / std::max(start_.tolerance * largest_force_, start_.force_floor);
   // A moment counts as the force at the longest lever that transmits it.
-  std::vector<double> lever(bodies_->size(), 0.0);
+  std::vector<double>& lever = lever_;
+  lever.assign(bodies_->size(), 0.0);
   for (const Constraint& c : constraints_)
     if (c.body != kNone) lever[c.body] = std::max(lever[c.body], c.lever.norm());
   double floor = start_.force_floor;
@@ -471,7 +404,7 @@ double StepProblem::residual_ratio() const {
     for (std::size_t b = 0; b < lever.size(); ++b)
       lever[b] = start_.barrier->scene().bodies[b].bounding_radius;
   }
-  const std::vector<Vec6> gradients = reduced_body_gradient();
+  const std::vector<Vec6>& gradients = reduced_body_gradient();
   for (std::size_t b = 0; b < gradients.size(); ++b) {
     largest = std::max(largest, gradients[b].head<3>().norm());
     if (lever[b] > 0.0) largest = std::max(largest, gradients[b].tail<3>().norm() / lever[b]);
@@ -485,29 +418,31 @@ bool StepProblem::revise(bool full) {
     return full && start_.barrier->revise(end_.places());
   }
   if (!start_.contact) return false;
-  if (!start_.contact->revise(end_positions(), end_bodies(), gradient_, full)) return false;
+  end_positions_ = end_positions(std::move(end_positions_));
+  end_bodies(end_bodies_);
+  if (!start_.contact->revise(end_positions_, end_bodies_, gradient_, full)) return false;
   collect_constraints();
   project_guess();
   return true;
 }
 
-std::vector<Vec3> StepProblem::end_positions() const {
+std::vector<Vec3> StepProblem::end_positions(std::vector<Vec3> room) const {
   const Step& step = *start_.step;
-  if (step.reach == 1.0) return y_;
-  std::vector<Vec3> x1(y_.size());
+  std::vector<Vec3> x1 = std::move(room);
+  x1 = y_;
+  if (step.reach == 1.0) return x1;
   for (std::size_t i = 0; i < y_.size(); ++i)
     x1[i] = step.start->x[i] + step.reach * (y_[i] - step.start->x[i]);
   return x1;
 }
 
-std::vector<BodyState> StepProblem::end_bodies() const {
-  std::vector<BodyState> result = start_.bodies;
+void StepProblem::end_bodies(std::vector<BodyState>& result) const {
+  result = start_.bodies;
   for (std::size_t b = 0; b < result.size(); ++b) {
     const Vec6 d = start_.step->reach * b_[b];
     if ((*bodies_)[b].fixed || d.isZero(0.0)) continue;
     result[b] = displaced(result[b], d.head<3>(), d.tail<3>());
   }
-  return result;
 }
 
 }  // namespace retiarius

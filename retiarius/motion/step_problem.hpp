@@ -42,6 +42,9 @@ class StepProblem final : public NewtonProblem {
   StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
               std::vector<std::unique_ptr<Law>>& laws, std::unique_ptr<LinearSolver> solver);
 
+  // Solves by conjugate gradients from now on, or by the solver given.
+  void iterate(bool by_gradients);
+
   // Looks up the pattern again after laws were added or removed.
   void bind_laws();
 
@@ -55,8 +58,11 @@ class StepProblem final : public NewtonProblem {
     BarrierContact* barrier = nullptr;   // null: none; not both
     double tolerance = 1e-8;             // of the residual, relative
     double force_floor = 0.0;            // N, round-off of the forces
+    bool linear = false;                 // linearise() will be asked for; nodes follow no bodies
   };
   void begin(Start start);
+  // The last start, to be filled again: its memory serves the next step.
+  Start take_start() { return std::move(start_); }
 
   double assemble(bool definite) override;
   double evaluate() override;
@@ -66,14 +72,16 @@ class StepProblem final : public NewtonProblem {
   double slope() const override;
   double free_share() override;
   void move(double fraction) override;
+  void linearise() override;
   double direction_size() const override;
   double residual_ratio() const override;
   bool revise(bool full) override;
 
   const std::vector<Vec3>& stage() const { return y_; }
   const std::vector<Vec3>& predicted() const { return start_.predicted; }
-  std::vector<Vec3> end_positions() const;
-  std::vector<BodyState> end_bodies() const;
+  // room: memory to use for them.
+  std::vector<Vec3> end_positions(std::vector<Vec3> room = {}) const;
+  void end_bodies(std::vector<BodyState>& bodies) const;
   // Gradient: at blocked directions the force of the constraint on the node, elsewhere what the
   // tolerance left, N.
   const std::vector<Vec3>& gradient() const { return gradient_; }
@@ -87,7 +95,9 @@ class StepProblem final : public NewtonProblem {
   std::string blocked_motion();
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
-  const LinearSolver& solver() const { return *solver_; }
+  const LinearSolver& solver() const { return *active_; }
+  const BlockPattern& pattern() const { return pattern_; }
+  const LinearSolver& direct_solver() const { return *solver_; }
   // Of these the search is part of contact, and contact forces are part of assembly.
   WorkTimes work_times() const;
   // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
@@ -120,29 +130,33 @@ class StepProblem final : public NewtonProblem {
   void grow_pattern();
   void free_guess();
   void find_end(End& end) const;
+  double add_inertia(bool hessian);
   void collect_constraints();
   void project_guess();
   Vec3 blocked_stage(const Constraint& c) const;
   void build_borders();
   void build_border_diagonal();
+  void add_body_blocks();
   void filter_matrix();
+  void keep_rows();
   bool factorise();
   void solve_for_direction();
   void solve_bordered();
   void solve_border_columns();
   void build_schur();
   Vec6 border_times(std::size_t body, const Vec3* x) const;
-  std::vector<Vec6> reduced_body_gradient() const;
+  const std::vector<Vec6>& reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
 
   std::vector<double> mass_;
   const std::vector<Body>* bodies_;
   std::vector<std::unique_ptr<Law>>* laws_;
-  std::unique_ptr<LinearSolver> solver_;
-  BlockPattern laws_pattern_;                       // what the laws couple
-  BlockPattern pattern_;                            // and threads that touch each other
-  std::vector<std::pair<Index, Index>> couplings_;  // of those
+  std::unique_ptr<LinearSolver> solver_, gradients_;  // the second where it was asked for
+  LinearSolver* active_;                              // of the two
+  BlockPattern laws_pattern_;                         // what the laws couple
+  BlockPattern pattern_;                              // and threads that touch each other
+  std::vector<std::pair<Index, Index>> couplings_;    // of those
   struct Neighbour {
     Index slot, node;
     bool row;  // whether this node is the row of the stored block
@@ -157,11 +171,18 @@ class StepProblem final : public NewtonProblem {
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
+  mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()
+  mutable std::vector<double> lever_;  // the longest of each body, m
+  std::vector<Vec3> end_positions_;    // for contact
+  std::vector<BodyState> end_bodies_;
+  std::vector<bool> held_;
   double largest_force_ = 0.0;
   End end_, other_end_;
   std::vector<ContactAssembly::NodeBody> node_body_;  // second derivatives, of the barrier
   std::vector<ContactAssembly::BodyBody> body_body_;
+  std::vector<double> largest_parts_;
   BlockMatrix matrix_;
+  std::vector<Mat3> kept_rows_;        // of constrained nodes, before the filter; see keep_rows()
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row

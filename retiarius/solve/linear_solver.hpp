@@ -37,4 +37,19 @@ std::unique_ptr<LinearSolver> make_reference_solver();
 // Multifrontal 3x3-block Cholesky under nested dissection.
 std::unique_ptr<LinearSolver> make_multifrontal_solver();
 
+// The inner nodes of a net's pieces in vectors, eight pieces at once, then the rest by the
+// multifrontal solver.
+std::unique_ptr<LinearSolver> make_piece_solver();
+
+// Of the residual in the norm of the preconditioner: Newton's iteration then still gains as many
+// digits in each step as it needs in all.
+inline constexpr double kPcgTolerance = 1e-6;
+
+// Conjugate gradients preconditioned by the diagonal blocks, to a relative residual of that.
+// factor() sees only whether those are definite; where the rest is not, solutions are NaN.
+std::unique_ptr<LinearSolver> make_pcg_solver();
+
+// The better of the two direct ones by the counts of the pattern; name() tells which.
+std::unique_ptr<LinearSolver> make_net_solver();
+
 }  // namespace retiarius

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -38,7 +37,8 @@ class Iteration {
   const NewtonSettings& settings_;
   NewtonResult result_;
   double value_ = 0.0;          // the potential
-  std::vector<double> recent_;  // potentials of the last iterates
+  double recent_[kMemory];      // potentials of the last iterates
+  std::size_t remembered_ = 0;  // of those
   double size_before_ = 0.0;    // of the last whole step; 0: none to compare with
   double ratio_before_ = 0.0;   // residual ratio after the last step
   bool chord_ = false;          // the present direction comes from an old factorisation
@@ -84,9 +84,12 @@ void Iteration::choose_next(double size) {
 double Iteration::line_search() {
   const double slope = problem_.slope();
   const double noise = 1e-12 * std::abs(value_) + 1e-300;
-  if (recent_.size() == kMemory) recent_.erase(recent_.begin());
-  recent_.push_back(value_);
-  const double reference = *std::max_element(recent_.begin(), recent_.end());
+  if (remembered_ == kMemory)
+    std::copy(recent_ + 1, recent_ + kMemory, recent_);
+  else
+    ++remembered_;
+  recent_[remembered_ - 1] = value_;
+  const double reference = *std::max_element(recent_, recent_ + remembered_);
   const double most = problem_.free_share();
   if (most < 1.0) {
     next_is_chord_ = false;
@@ -176,7 +179,7 @@ NewtonResult Iteration::run() {
     const bool loose = fraction == 1.0 && size <= settings_.loose_step_tolerance &&
                        ratio <= settings_.loose_residual_ratio;
     if ((full || loose) && problem_.revise(full)) {
-      recent_.clear();
+      remembered_ = 0;
       restart();
       continue;
     }
@@ -190,6 +193,29 @@ NewtonResult Iteration::run() {
 }
 
 }  // namespace
+
+NewtonResult update_once(NewtonProblem& problem) {
+  NewtonResult result;
+  result.iterations = result.factorisations = 1;
+  if (!std::isfinite(problem.assemble(false))) {
+    result.failure = "the potential is not finite";
+    return result;
+  }
+  result.converged = problem.find_direction();
+  if (!result.converged) {
+    ++result.factorisations;
+    ++result.projections;
+    problem.assemble(true);
+    result.converged = problem.find_direction();
+  }
+  if (!result.converged) {
+    result.failure = "the projected matrix is not positive definite";
+    return result;
+  }
+  problem.move(1.0);
+  problem.linearise();
+  return result;
+}
 
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings) {
   return Iteration(problem, settings).run();

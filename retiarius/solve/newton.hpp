@@ -37,6 +37,10 @@ class NewtonProblem {
   // Puts the iterate at base + fraction * direction; base is where the direction was computed.
   virtual void move(double fraction) = 0;
 
+  // Puts in the gradient's place that of the quadratic model at the end of the whole direction:
+  // nothing where the model is at rest, else the force that the constraint there needs by it.
+  virtual void linearise() = 0;
+
   // Length of the direction, in the units of `NewtonSettings::step_tolerance`.
   virtual double direction_size() const = 0;
 
@@ -78,5 +82,10 @@ struct NewtonResult {
 // step with an old factorisation is more than three tenths of the one before, was shortened or does
 // not descend. The test of convergence is the same for both.
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings);
+
+// One whole Newton update without line search and without a look at where it leads (Baraff and
+// Witkin 1998): the problem is left there with its gradient linearised. `converged` tells whether
+// there was a direction to go.
+NewtonResult update_once(NewtonProblem& problem);
 
 }  // namespace retiarius

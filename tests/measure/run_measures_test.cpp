@@ -352,7 +352,8 @@ TEST_F(ShutNet, NamesAllMeasures) {
                                              "angular_momentum_drift",
                                              "steps",
                                              "newton_iterations",
-                                             "substeps"};
+                                             "substeps",
+                                             "unconverged_steps"};
   EXPECT_EQ(names, expected);
 }
 

@@ -196,6 +196,20 @@ TEST(BadMission, OutputMustFallOnSteps) {
             "");
 }
 
+TEST(BadMission, SingleUpdatesNeedWhatTheyRelyOn) {
+  const std::string single = "newton = \"single\"\n";
+  EXPECT_EQ(error_of(kLeast + "[integrator]\n" + single), "");
+  expect_errors(
+      {{kLeast + "[integrator]\nmethod = \"newmark\"\n" + single,
+        "m.toml:16:10: integrator.newton = \"single\" needs method = \"implicit-euler\", whose "
+        "damping it relies on"},
+       {with("radius = 0.01", "radius = 0.01\ncompression = false") + "[phase.integrator]\n" +
+            single,
+        "m.toml:16:10: phase[0].integrator.newton = \"single\" needs net.thread.compression = "
+        "true: "
+        "a single update takes tension-only threads far beyond where they become taut"}});
+}
+
 TEST(BadMission, Targets) {
   const std::string sphere = kLeast + "[target]\nshape = \"sphere\"\nradius = 1.0\n";
   expect_errors(

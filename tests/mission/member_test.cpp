@@ -44,10 +44,10 @@ Lines members(const EnvironmentSpec& spec) {
   return {"gravity", "damping"};
 }
 Lines members(const IntegratorSpec& spec) {
-  [[maybe_unused]] const auto& [method, step, substep, tolerance, solver, rho, adaptive, accuracy,
-                                min_step, max_iterations, max_halvings] = spec;
-  return {"method",   "step",     "substep",  "tolerance",      "solver",      "rho",
-          "adaptive", "accuracy", "min_step", "max_iterations", "max_halvings"};
+  [[maybe_unused]] const auto& [method, step, substep, tolerance, solver, newton, rho, adaptive,
+                                accuracy, min_step, max_iterations, max_halvings] = spec;
+  return {"method", "step",     "substep",  "tolerance", "solver",         "newton",
+          "rho",    "adaptive", "accuracy", "min_step",  "max_iterations", "max_halvings"};
 }
 Lines members(const ContactSpec& spec) {
   [[maybe_unused]] const auto& [method, friction, self, thread_friction, gap, stick_speed,

@@ -25,37 +25,55 @@ std::vector<Vec3> solution(LinearSolver& solver, const BlockMatrix& matrix) {
 }
 
 TEST_F(Determinism, ThreadsDoNotChangeABit) {
-  for (const BlockPattern& pattern :
-       {test::hexagon_net(8, 4), test::hexagon_net(14, 1), test::grid(40, 40), test::chain(3000, 2),
-        test::random_pattern(2000, 2500, 5)}) {
-    const BlockMatrix matrix = test::random_matrix(pattern, 92);
-    set_threads(1);
-    const auto serial = make_multifrontal_solver();
-    serial->analyse(pattern);
-    const std::vector<Vec3> expected = solution(*serial, matrix);
-    for (const int count : {2, 4}) {
-      set_threads(count);
-      const auto fresh = make_multifrontal_solver();
-      fresh->analyse(pattern);
-      for (int repeat = 0; repeat < 5; ++repeat) EXPECT_EQ(solution(*fresh, matrix), expected);
-      // Also where the analysis ran with one thread.
-      EXPECT_EQ(solution(*serial, matrix), expected);
+  for (const auto make : {make_multifrontal_solver, make_piece_solver}) {
+    for (const BlockPattern& pattern :
+         {test::hexagon_net(8, 4), test::hexagon_net(14, 1), test::grid(40, 40),
+          test::chain(3000, 2), test::random_pattern(2000, 2500, 5),
+          test::hexagon_net(7, 10, test::Bend::hinged)}) {
+      const BlockMatrix matrix = test::random_matrix(pattern, 92);
+      set_threads(1);
+      const auto serial = make();
+      serial->analyse(pattern);
+      const std::vector<Vec3> expected = solution(*serial, matrix);
+      for (const int count : {2, 4}) {
+        set_threads(count);
+        const auto fresh = make();
+        fresh->analyse(pattern);
+        for (int repeat = 0; repeat < 5; ++repeat) EXPECT_EQ(solution(*fresh, matrix), expected);
+        // Also where the analysis ran with one thread.
+        EXPECT_EQ(solution(*serial, matrix), expected);
+      }
     }
+  }
+}
+
+TEST_F(Determinism, ThreadsDoNotChangeConjugateGradients) {
+  const BlockPattern pattern = test::hexagon_net(20, 2);
+  const BlockMatrix matrix = test::random_matrix(pattern, 95);
+  const auto solver = make_pcg_solver();
+  solver->analyse(pattern);
+  set_threads(1);
+  const std::vector<Vec3> expected = solution(*solver, matrix);
+  for (const int count : {2, 4}) {
+    set_threads(count);
+    EXPECT_EQ(solution(*solver, matrix), expected);
   }
 }
 
 TEST_F(Determinism, ThreadsSeeFailures) {
   set_threads(4);
-  const BlockPattern pattern = test::hexagon_net(8, 4);
+  const BlockPattern pattern = test::hexagon_net(8, 4, test::Bend::hinged);
   const BlockMatrix good = test::random_matrix(pattern, 93);
-  const auto solver = make_multifrontal_solver();
-  solver->analyse(pattern);
-  for (Index block = 0; block < pattern.blocks(); block += 97) {
-    BlockMatrix bad = good;
-    bad.diagonal[block](0, 0) = -1.0;
-    EXPECT_FALSE(solver->factor(bad)) << block;
+  for (const auto make : {make_multifrontal_solver, make_piece_solver}) {
+    const auto solver = make();
+    solver->analyse(pattern);
+    for (Index block = 0; block < pattern.blocks(); block += 97) {
+      BlockMatrix bad = good;
+      bad.diagonal[block](0, 0) = -1.0;
+      EXPECT_FALSE(solver->factor(bad)) << block;
+    }
+    EXPECT_TRUE(solver->factor(good));
   }
-  EXPECT_TRUE(solver->factor(good));
 }
 
 TEST_F(Determinism, LargeNetsGiveSeveralTasks) {

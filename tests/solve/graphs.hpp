@@ -58,8 +58,10 @@ inline BlockPattern random_pattern(Index blocks, int pairs, unsigned seed) {
 }
 
 // A hexagon of triangular cells, `meshes` a side, each piece cut into `segments`, with couplings
-// over one and two segments along the threads, as bending through knots makes them.
-inline BlockPattern hexagon_net(int meshes, int segments) {
+// over one and two segments along the threads, as bending makes them: through knots, within pieces
+// only, or none over two.
+enum class Bend { across, hinged, none };
+inline BlockPattern hexagon_net(int meshes, int segments, Bend bend = Bend::across) {
   const auto inside = [meshes](int q, int r) {
     return std::abs(q) <= meshes && std::abs(r) <= meshes && std::abs(q + r) <= meshes;
   };
@@ -82,6 +84,8 @@ inline BlockPattern hexagon_net(int meshes, int segments) {
       }
       for (std::size_t i = 0; i + 1 < thread.size(); ++i) {
         pairs.emplace_back(thread[i], thread[i + 1]);
+        if (bend == Bend::none) continue;
+        if (bend == Bend::hinged && static_cast<int>(i + 1) % segments == 0) continue;
         if (i + 2 < thread.size()) pairs.emplace_back(thread[i], thread[i + 2]);
       }
     }
@@ -163,7 +167,12 @@ inline std::vector<NamedPattern> all_patterns() {
           {"net 2,1", hexagon_net(2, 1)},
           {"net 3,4", hexagon_net(3, 4)},
           {"net 6,3", hexagon_net(6, 3)},
-          {"net 2,20", hexagon_net(2, 20)}};
+          {"net 2,20", hexagon_net(2, 20)},
+          {"hinged net 3,10", hexagon_net(3, 10, Bend::hinged)},
+          {"hinged net 4,4", hexagon_net(4, 4, Bend::hinged)},
+          {"hinged net 5,2", hexagon_net(5, 2, Bend::hinged)},
+          {"net without bending 3,6", hexagon_net(3, 6, Bend::none)},
+          {"net without bending 6,1", hexagon_net(6, 1, Bend::none)}};
 }
 
 }  // namespace retiarius::test

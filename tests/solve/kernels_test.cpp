@@ -1,8 +1,7 @@
-#include "retiarius/base/instruction_set.hpp"
-
 #include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "tests/solve/graphs.hpp"
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "tests/solve/graphs.hpp"
 
 namespace retiarius {
@@ -203,7 +204,8 @@ TEST_P(LinearSolverTest, KeepsRightHandSidesApart) {
 
 INSTANTIATE_TEST_SUITE_P(Solvers, LinearSolverTest,
                          testing::Values(Maker{"reference", make_reference_solver},
-                                         Maker{"multifrontal", make_multifrontal_solver}),
+                                         Maker{"multifrontal", make_multifrontal_solver},
+                                         Maker{"pieces", make_piece_solver}),
                          [](const auto& each) { return each.param.name; });
 
 TEST(MultifrontalSolver, AgreesWithTheReference) {
@@ -220,6 +222,69 @@ TEST(MultifrontalSolver, AgreesWithTheReference) {
     slow->solve(expected);
     EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name;
   }
+}
+
+TEST(PieceSolver, AgreesWithTheReferenceOnEveryInstructionSet) {
+  const auto fast = make_piece_solver(), slow = make_reference_solver();
+  for (const std::string_view kernels : available_kernels()) {
+    set_kernels(std::string(kernels));
+    for (const auto& [name, pattern] : test::all_patterns()) {
+      const BlockMatrix matrix = test::random_matrix(pattern, 73);
+      fast->analyse(pattern);
+      slow->analyse(pattern);
+      ASSERT_TRUE(fast->factor(matrix)) << name;
+      ASSERT_TRUE(slow->factor(matrix)) << name;
+      std::vector<Vec3> x = test::random_vector(3 * pattern.blocks(), 74);
+      std::vector<Vec3> expected = x;
+      fast->solve(x);
+      slow->solve(expected);
+      EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name << kernels;
+    }
+  }
+  set_kernels("auto");
+}
+
+TEST(PcgSolver, SolvesToItsTolerance) {
+  const auto solver = make_pcg_solver();
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const BlockMatrix matrix = test::random_matrix(pattern, 81);
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(matrix)) << name;
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 82);
+    std::vector<Vec3> x = b, product;
+    solver->solve(x);
+    matrix.multiply(x, product);
+    EXPECT_LE(test::distance(product, b), 10.0 * kPcgTolerance * test::norm(b)) << name;
+  }
+}
+
+TEST(PcgSolver, HasNoAnswerWhereTheMatrixIsNotDefinite) {
+  const BlockPattern pattern = test::chain(30);
+  BlockMatrix matrix = test::random_matrix(pattern, 83);
+  const auto solver = make_pcg_solver();
+  solver->analyse(pattern);
+  std::vector<Vec3> x = test::random_vector(pattern.blocks(), 84);
+  EXPECT_THROW(solver->solve(x), Error);
+  matrix.below[7] = 50.0 * Mat3::Identity();  // its blocks on the diagonal are still definite
+  ASSERT_TRUE(solver->factor(matrix));
+  solver->solve(x);
+  EXPECT_FALSE(x[0].allFinite());
+  matrix.diagonal[4](1, 1) = -1.0;
+  EXPECT_FALSE(solver->factor(matrix));
+  matrix.diagonal[4](1, 1) = std::nan("");
+  EXPECT_FALSE(solver->factor(matrix));
+}
+
+TEST(NetSolver, TakesPiecesWhereMostNodesAreInnerOnes) {
+  const auto chosen = [](const BlockPattern& pattern) {
+    const auto solver = make_net_solver();
+    solver->analyse(pattern);
+    return std::string(solver->name());
+  };
+  EXPECT_EQ(chosen(test::hexagon_net(4, 10, test::Bend::hinged)), "pieces");
+  EXPECT_EQ(chosen(test::hexagon_net(12, 1)), "multifrontal");
+  EXPECT_EQ(chosen(test::grid(40, 40)), "multifrontal");
+  EXPECT_EQ(chosen(test::chain(300)), "multifrontal");
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ class Scalars : public NewtonProblem {
   }
   double slope() const override { return gradient.dot(direction); }
   void move(double fraction) override { x = base + fraction * direction; }
+  void linearise() override { gradient += hessian * direction; }
   double direction_size() const override { return direction.norm(); }
   double residual_ratio() const override { return gradient.norm() / residual_scale; }
   bool revise(bool full) override { return on_revise && on_revise(full); }
@@ -246,6 +247,33 @@ TEST(Newton, SaysThatTheProjectedMatrixIsNotDefinite) {
   const NewtonResult r = minimise(p, to(1e-10));
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.failure, "the projected matrix is not positive definite");
+}
+
+// One update is Newton's from the start, and the gradient left is the model's there: none.
+TEST(UpdateOnce, TakesNewtonsWholeStepAndLeavesTheModelsGradient) {
+  Scalars p = smooth(0.7, -0.4);
+  const Vector expected = p.x - p.curvature(p.x).ldlt().solve(p.slope_of(p.x));
+  const NewtonResult r = update_once(p);
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(r.iterations, 1);
+  EXPECT_EQ(r.factorisations, 1);
+  EXPECT_LT((p.x - expected).norm(), 1e-14);
+  EXPECT_LT(p.gradient.norm(), 1e-14);
+  EXPECT_GT(p.slope_of(p.x).norm(), 1e-3);  // which is not the potential's own
+}
+
+TEST(UpdateOnce, ProjectsAnIndefiniteMatrixAndRefusesWhatIsNotFinite) {
+  Scalars p = smooth(0.7, -0.4);
+  const auto curvature = p.curvature;
+  p.curvature = [curvature](const Vector& x) { return Matrix(-curvature(x)); };
+  const NewtonResult r = update_once(p);
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(r.projections, 1);
+  EXPECT_EQ(r.factorisations, 2);
+  p.value = [](const Vector&) { return std::numeric_limits<double>::infinity(); };
+  const NewtonResult bad = update_once(p);
+  EXPECT_FALSE(bad.converged);
+  EXPECT_EQ(bad.failure, "the potential is not finite");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ Curve branch(const Table& table, double s, double across, const std::string& nam
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (table["s"][k] != s || table["across"][k] != across) continue;
     if (table["h"][k] != 0.01 || table["threads"][k] != 1.0) continue;
+    if (table["iterations"][k] <= 1.0) continue;  // single updates, not converged
     curve.x.push_back(table["nodes"][k]);
     curve.y.push_back(1e3 * table["step"][k]);
   }

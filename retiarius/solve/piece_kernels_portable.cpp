@@ -1,0 +1,3 @@
+#define RETIARIUS_KERNEL_SPACE portable
+#define RETIARIUS_KERNEL_WIDTH 2
+#include "retiarius/solve/piece_kernels.inc"
