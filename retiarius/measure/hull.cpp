@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <Eigen/Eigenvalues>
+
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
@@ -118,6 +120,20 @@ double clipped_area(Polygon& polygon, const std::vector<ConvexHull::Plane>& plan
   return area(polygon);
 }
 
+// Of a net that is flatter than this over its size, qhull may find that its facets cannot be told
+// from each other.
+constexpr double kFlat = 1e-3;
+
+// Extent of the points along the direction in which they are thinnest, m. x, y, z of each in a row,
+// about their mean.
+double thickness(const std::vector<double>& coordinates) {
+  const Eigen::Map<const Eigen::Matrix3Xd> points(
+      coordinates.data(), 3, static_cast<Eigen::Index>(coordinates.size() / 3));
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(points * points.transpose());
+  const Eigen::RowVectorXd along = axes.eigenvectors().col(0).transpose() * points;
+  return along.maxCoeff() - along.minCoeff();
+}
+
 }  // namespace
 
 bool ConvexHull::contains(const Vec3& point) const {
@@ -140,9 +156,11 @@ std::optional<ConvexHull> convex_hull(const std::vector<Vec3>& points) {
     coordinates.insert(coordinates.end(), q.begin(), q.end());
   }
   if (size <= 1e-12 * mean.norm()) return std::nullopt;  // one point but for rounding
+  const std::vector<double> original = coordinates;  // qhull may change what it is given
   Quickhull quickhull;
   const int code = quickhull.run(coordinates, "qhull Pp");
   if (code == qh_ERRsingular) return std::nullopt;
+  if (code != qh_ERRnone && thickness(original) <= kFlat * size) return std::nullopt;
   if (code != qh_ERRnone) throw RunError("the convex hull failed: " + quickhull.message());
   ConvexHull hull = quickhull.take();
   for (auto& plane : hull.planes) plane.offset -= plane.normal.dot(mean);
