@@ -102,7 +102,8 @@ class BarrierContact {
   double force_round_off() const { return force_round_off_; }
 
   // The pairs of nodes (smaller first, ascending, unique) that threads in contact couple at a
-  // place, those included whose gap is below `reach` times the range.
+  // place, those included whose gap is below `reach` times the range, and those that friction
+  // couples in this round.
   std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
 
   // Whether friction must be solved again with the normal forces of this place.

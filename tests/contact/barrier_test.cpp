@@ -126,7 +126,13 @@ class Scene {
     return result;
   }
 
-  BarrierContact& contact() { return *contact_; }
+  // With nodes 14 and 15, the upper of the crossed threads, higher by so much, m.
+  std::vector<std::pair<Index, Index>> couplings_with_raised(double height) {
+    std::vector<Vec3> x = state_.x;
+    for (std::size_t i : {14u, 15u}) x[i].z() += height;
+    const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
+    return contact_->couplings({&x, &state_.bodies, &turns}, 1.0);
+  }
   std::vector<PairContact> contacts() {
     const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
     return contact_->contacts({&state_.x, &state_.bodies, &turns});
@@ -315,6 +321,20 @@ TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(here.hessian).eigenvalues();
   EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());
   EXPECT_GT(values.maxCoeff(), 0.0);
+}
+
+// Friction of a round acts on threads that have parted since: they stay coupled.
+TEST(BarrierScene, CouplesThreadsThatFrictionJoinsThoughTheyParted) {
+  using Pairs = std::vector<std::pair<Index, Index>>;
+  for (double friction : {0.0, 0.3}) {
+    Scene scene(friction);
+    const Pairs crossed{{12, 14}, {12, 15}, {13, 14}, {13, 15}},
+        along{{16, 18}, {16, 19}, {17, 18}, {17, 19}};
+    Pairs both = crossed;
+    both.insert(both.end(), along.begin(), along.end());
+    EXPECT_EQ(scene.couplings_with_raised(0.0), both);
+    EXPECT_EQ(scene.couplings_with_raised(1.0), friction > 0.0 ? both : along);
+  }
 }
 
 std::string refusal(const Network& net, const std::vector<Body>& bodies, bool self) {
