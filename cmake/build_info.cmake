@@ -19,7 +19,8 @@ endif()
 set(libraries
   Eigen "${Eigen3_VERSION}" fmt "${fmt_VERSION}" oneTBB "${TBB_VERSION}" METIS "${METIS_VERSION}"
   toml++ "${tomlplusplus_VERSION}" nlohmann-json "${nlohmann_json_VERSION}"
-  HDF5 "${hdf5_VERSION}" zlib "${ZLIB_VERSION_STRING}" qhull "${qhull_VERSION}" tinyobjloader "${tinyobjloader_VERSION}")
+  HDF5 "${hdf5_VERSION}" zlib "${ZLIB_VERSION_STRING}" qhull "${qhull_VERSION}" SQLite "${sqlite_VERSION}"
+  tinyobjloader "${tinyobjloader_VERSION}")
 
 # `literals` becomes the names and values as pairs of C++ string literals, separated by commas.
 function(pair_literals literals)

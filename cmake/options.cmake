@@ -12,3 +12,7 @@ if(RETIARIUS_SANITIZE)
     -fsanitize=${RETIARIUS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(retiarius_options INTERFACE -fsanitize=${RETIARIUS_SANITIZE})
 endif()
+if(RETIARIUS_FUZZ)
+  # Tells libFuzzer which branches an input takes.
+  target_compile_options(retiarius_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

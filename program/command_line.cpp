@@ -56,6 +56,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_report_command(app);
   add_render_command(app);
   add_view_command(app);
+  add_campaign_command(app, code);
   add_converge_command(app, code);
   add_verify_command(app, code);
   add_bench_command(app);

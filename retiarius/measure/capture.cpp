@@ -1,7 +1,5 @@
 #include "retiarius/measure/capture.hpp"
 
-#include "retiarius/measure/hull.hpp"
-
 namespace retiarius {
 
 namespace {
@@ -26,8 +24,14 @@ std::optional<Capture> measure_capture(const Body& target, const BodyState& pose
                                        const std::vector<Vec3>& nodes) {
   if (target.kind == ShapeKind::plane) return std::nullopt;
   if (!reaches(target, pose, nodes)) return Capture{};
-  const std::optional<ConvexHull> hull = convex_hull(nodes);
-  if (!hull) return Capture{};
+  return measure_capture(target, pose, nodes, convex_hull(nodes));
+}
+
+std::optional<Capture> measure_capture(const Body& target, const BodyState& pose,
+                                       const std::vector<Vec3>& nodes,
+                                       const std::optional<ConvexHull>& hull) {
+  if (target.kind == ShapeKind::plane) return std::nullopt;
+  if (!hull || !reaches(target, pose, nodes)) return Capture{};
   return Capture{captured_share(target.shape->triangles(), pose, *hull),
                  hull->contains(pose.position)};
 }

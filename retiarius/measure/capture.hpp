@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "retiarius/bodies/body.hpp"
+#include "retiarius/measure/hull.hpp"
 #include "retiarius/state/state.hpp"
 
 namespace retiarius {
@@ -18,5 +19,10 @@ struct Capture {
 // to be inside of. A net that lies flat in a plane holds nothing.
 std::optional<Capture> measure_capture(const Body& target, const BodyState& pose,
                                        const std::vector<Vec3>& nodes);
+
+// The same where the hull of the nodes is at hand.
+std::optional<Capture> measure_capture(const Body& target, const BodyState& pose,
+                                       const std::vector<Vec3>& nodes,
+                                       const std::optional<ConvexHull>& hull);
 
 }  // namespace retiarius

@@ -73,6 +73,9 @@ const std::vector<HistoryColumn>& history_columns() {
       {"captured_share", "1",
        "share of the first target's surface inside the convex hull of the nodes; empty without one",
        [](const Row& r) { return or_nan(r.captured_share); }},
+      {"capture_quality", "1",
+       "capture quality index of the first target, smaller is better; empty without one",
+       [](const Row& r) { return or_nan(r.capture_quality); }},
       {"step_size", "s", "length of the last step; 0 before the first",
        [](const Row& r) { return r.step_size; }},
   };

@@ -32,6 +32,7 @@ struct HistoryRow {
   std::optional<double> smallest_distance;  // absent without body
   std::int64_t newton_iterations = 0;       // since the mission's start
   std::optional<double> captured_share;     // of the first target; absent without one
+  std::optional<double> capture_quality;    // index of the first target; absent without one
   double step_size = 0.0;                   // of the last step, s; 0 before the first
   std::vector<ProbeValue> probes;           // in the mission's order
 };

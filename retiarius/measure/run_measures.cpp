@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "retiarius/measure/capture.hpp"
 #include "retiarius/measure/energy.hpp"
 #include "retiarius/measure/mouth.hpp"
 
@@ -23,6 +22,7 @@ RunMeasures::RunMeasures(const Network& network, const std::vector<Body>& bodies
       probe_nodes_(std::move(probe_nodes)),
       flat_area_(projected_area(polygon(network.design, network.corners), network.normal)),
       flat_width_(width(polygon(network.design, network.corners))),
+      quality_scale_(bodies.empty() ? std::nullopt : quality_scale(bodies.front())),
       clearance_(network, bodies),
       closure_(flat_area_, flat_width_),
       axis_(network.normal) {}
@@ -56,6 +56,7 @@ void RunMeasures::shot(const Simulation& simulation, const Vec3& axis) {
   shot_corners_ = polygon(simulation.state().x, network_->corners);
   whole_ = {};
   phase_ = {};
+  quality_ = {};
   window_.clear();
   look(simulation);
 }
@@ -119,6 +120,21 @@ void RunMeasures::add_drift(const State& state) {
                angular_impulse(state.account), angular_scale(*network_, *bodies_, state));
 }
 
+RunMeasures::Wrapping RunMeasures::wrapping(const std::vector<Vec3>& nodes,
+                                            const std::vector<BodyState>& poses) const {
+  if (bodies_->empty() || bodies_->front().kind == ShapeKind::plane) return {};
+  const std::optional<ConvexHull> hull = convex_hull(nodes);
+  Wrapping held{measure_capture(bodies_->front(), poses.front(), nodes, hull), {}};
+  if (quality_scale_)
+    held.quality =
+        capture_quality(*quality_scale_, poses.front().position, nodes, network_->mass, hull);
+  return held;
+}
+
+void RunMeasures::keep(const HistoryRow& row) {
+  if (row.capture_quality && touched()) quality_.see(row.time, *row.capture_quality);
+}
+
 HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
   const State& state = simulation.state();
   const Account& account = state.account;
@@ -148,10 +164,9 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
   r.contacts = static_cast<Index>(state.touches.size());
   r.smallest_distance = readings_.smallest_distance;
   r.newton_iterations = iterations_;
-  if (!bodies_->empty()) {
-    const auto capture = measure_capture(bodies_->front(), state.bodies.front(), state.x);
-    if (capture) r.captured_share = capture->share;
-  }
+  const Wrapping held = wrapping(state.x, state.bodies);
+  if (held.capture) r.captured_share = held.capture->share;
+  r.capture_quality = held.quality;
   r.step_size = step_size_;
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "retiarius/measure/capture.hpp"
+#include "retiarius/measure/capture_quality.hpp"
 #include "retiarius/measure/clearance.hpp"
 #include "retiarius/measure/closure.hpp"
 #include "retiarius/measure/energy_balance.hpp"
@@ -47,6 +49,9 @@ class RunMeasures {
   // Of the present state, which must have been seen by one of the above.
   HistoryRow row(const Simulation& simulation, Index phase) const;
 
+  // A row that belongs to the history: what the capture quality settles to is found from these.
+  void keep(const HistoryRow& row);
+
   double mouth_area() const { return readings_.mouth_area; }  // m2
   // Over the flat net's; 0 where that has no mouth.
   double mouth_ratio() const;
@@ -63,7 +68,14 @@ class RunMeasures {
   Measures phase_summary() const;
 
  private:
+  // What the hull of the nodes tells about the first target; empty without one.
+  struct Wrapping {
+    std::optional<Capture> capture;
+    std::optional<double> quality;
+  };
+
   void look(const Simulation& simulation);
+  Wrapping wrapping(const std::vector<Vec3>& nodes, const std::vector<BodyState>& poses) const;
   double mean_travel(const std::vector<Vec3>& x) const;
   Vec3 angular_impulse(const Account& account) const;
   void add_drift(const State& state);
@@ -72,7 +84,9 @@ class RunMeasures {
   const Network* network_;
   const std::vector<Body>* bodies_;
   std::vector<Index> probe_nodes_;
-  double flat_area_, flat_width_;  // m2, m
+  double flat_area_, flat_width_;              // m2, m
+  std::optional<QualityScale> quality_scale_;  // of the first target
+  Settling quality_;                           // since the first contact
   Clearance clearance_;
   Closure closure_;
   EnergyBalance balance_;

@@ -1,5 +1,4 @@
 // The measures of a run as names, units and values.
-#include "retiarius/measure/capture.hpp"
 #include "retiarius/measure/run_measures.hpp"
 
 namespace retiarius {
@@ -17,8 +16,7 @@ Measure measure(const char* name, const char* unit, const std::optional<Value>& 
 }  // namespace
 
 Measures RunMeasures::summary() const {
-  std::optional<Capture> capture;
-  if (!bodies_->empty()) capture = measure_capture(bodies_->front(), poses_.front(), nodes_);
+  const auto [capture, quality] = wrapping(nodes_, poses_);
   const bool closed = closure_.closed();
   std::optional<double> share;
   std::optional<bool> success;
@@ -26,6 +24,8 @@ Measures RunMeasures::summary() const {
     share = capture->share;
     success = capture->share > 0.9 && capture->center_inside && closed;
   }
+  std::optional<double> settling_time;
+  if (const auto settled = quality_.time()) settling_time = *settled - *whole_.first_contact;
   std::optional<double> widest_travel;
   if (!shot_corners_.empty()) widest_travel = whole_.mouth_area_travel;
   return {
@@ -43,6 +43,9 @@ Measures RunMeasures::summary() const {
       measure("first_contact_time", "s", whole_.first_contact),
       measure("smallest_distance", "m", whole_.smallest_distance),
       measure("captured_share", "", share),
+      measure("capture_quality_final", "", quality),
+      measure("capture_quality_settled", "", quality_.value()),
+      measure("capture_quality_settling_time", "s", settling_time),
       {"closed", "", closed},
       measure("success", "", success),
       measure("linear_momentum_drift", "", linear_.value()),

@@ -78,7 +78,8 @@ tables take zero-based brackets, values are TOML; texts and words may stand with
 
     --set net.thread.radius=0.004 --set 'phase[0].half_angle_deg=30' --set contact.method=none
 
-`target` and `target[0]` are the same. Tables that the file lacks are made.
+`target` and `target[0]` are the same. Tables that the file lacks are made. Brackets after the key
+of a list of numbers stand for one of them: `--set 'target.position[0]=0.3'`.
 
 ## The resolved mission
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include <fmt/format.h>
@@ -12,54 +11,16 @@
 #include "retiarius/mission/schema.hpp"
 #include "retiarius/mission/set_override.hpp"
 #include "retiarius/mission/table_source.hpp"
+#include "retiarius/mission/toml_file.hpp"
 #include "retiarius/mission/trigger.hpp"
 
 namespace retiarius {
 
 namespace {
 
-std::string file_text(const std::string& path) {
-  namespace fs = std::filesystem;
-  const SourcePlace place{path, 0, 0};
-  std::error_code error;
-  if (path.empty()) throw InputError("the name of the mission file is empty");
-  if (!fs::exists(path, error)) throw InputError(place, "there is no such mission file");
-  if (fs::is_directory(path, error)) {
-    throw InputError(place, "is a folder; a mission file is expected");
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(place, "cannot be read; check its permissions");
-  // A mission has a few thousand bytes; devices may have no end.
-  constexpr std::size_t kLargest = 16u << 20;
-  std::string text(kLargest + 1, ' ');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kLargest) {
-    throw InputError(place, "is larger than 16 MiB; a mission file is expected");
-  }
-  if (in.bad()) throw InputError(place, "cannot be read to its end");
-  return text;
-}
-
-void check_text(const std::string& text, const SourcePlace& place) {
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw InputError(place,
-                     "is empty; a mission needs at least [net], [net.thread] and a [[phase]]");
-  }
-  const auto zero = text.find('\0');
-  if (zero != std::string::npos) {
-    throw InputError(place, fmt::format("is not a text file (byte {} is zero)", zero));
-  }
-}
-
-toml::table parse_toml(const std::string& text, const std::string& name) {
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw InputError(place_of(error.source(), name),
-                     fmt::format("syntax error: {}", error.description()));
-  }
-}
+const TomlFileKind kMissionFile{"mission",
+                                "a mission needs at least [net], [net.thread] and a "
+                                "[[phase]]"};
 
 // Where the characters of a one-line string begin, after its quote; column 0 where escapes or
 // several lines leave columns inside the string without meaning.
@@ -193,14 +154,13 @@ class MissionReader {
 
 Mission parse_mission(const std::string& text, const std::string& name, const std::string& folder,
                       const std::vector<std::string>& overrides) {
-  check_text(text, {name, 0, 0});
-  toml::table root = parse_toml(text, name);
+  toml::table root = parse_toml(text, name, kMissionFile);
   for (const std::string& override_text : overrides) apply_override(root, override_text);
   return MissionReader(root, name, text).read(folder);
 }
 
 Mission read_mission(const std::string& path, const std::vector<std::string>& overrides) {
-  const std::string text = file_text(path);
+  const std::string text = read_toml_file(path, kMissionFile);
   const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
   Mission mission = parse_mission(text, path, folder.string(), overrides);
   mission.file = path;

@@ -332,6 +332,7 @@ void MissionLoop::write(bool last) {
   const double now = simulation_.state().time;
   if (rows_.due(now, last)) {
     const HistoryRow row = measures_.row(simulation_, phase_index_);
+    measures_.keep(row);
     observer_.history(row);
     if (!last) check_energy(row);
   }

@@ -40,8 +40,11 @@ class Override {
       table = inside(*table, steps_[i], find_table(plain)->info->list, plain);
     }
     const Step& last = steps_.back();
-    if (last.index) fail("brackets stand for one of a list of tables; give the list whole");
-    put(*table, last.name, parse_value(plain, last.name));
+    if (last.index) {
+      put_element(*table, plain, last);
+    } else {
+      put(*table, last.name, parse_value(plain, last.name));
+    }
   }
 
  private:
@@ -144,6 +147,51 @@ class Override {
       made = &table.insert_or_assign(name, std::move(n)).first->second;
     });
     return made;
+  }
+
+  // One number of a list that the file gives, or that holds by default.
+  void put_element(toml::table& table, const std::string& plain, const Step& last) const {
+    const std::string name = join(plain, last.name);
+    const KeyInfo* key = nullptr;
+    for (const KeyInfo* k : find_table(plain)->keys) {
+      if (k->name == last.name) key = k;
+    }
+    if (!key) {
+      parse_value(plain, last.name);  // names the unknown key
+      fail(fmt::format("{} is a table, not a list of numbers", name));
+    }
+    if (key->type != KeyType::vec3 && key->type != KeyType::numbers) {
+      fail(fmt::format("{} is no list of numbers; write it without brackets", name));
+    }
+    std::vector<double> list = present_list(table, *key, name);
+    if (*last.index >= list.size()) {
+      fail(fmt::format("{}[{}] does not exist: there are {}", name, *last.index, list.size()));
+    }
+    const toml::table document = parse_value(plain, last.name);
+    const auto number = document.get("value")->value<double>();
+    if (!document.get("value")->is_number()) fail("the value must be a number");
+    list[*last.index] = *number;
+    std::vector<std::string> texts;
+    for (const double item : list) texts.push_back(number_text(item));
+    put(table, last.name, make(fmt::format("[{}]", fmt::join(texts, ", "))));
+  }
+
+  std::vector<double> present_list(const toml::table& table, const KeyInfo& key,
+                                   const std::string& name) const {
+    const toml::node* node = table.get(key.name);
+    if (!node) {
+      const auto* standard = std::get_if<std::vector<double>>(&key.standard);
+      if (!standard) fail(fmt::format("{} is not given, so there is no list to index", name));
+      return *standard;
+    }
+    const toml::array* array = node->as_array();
+    if (!array) fail(fmt::format("{} is one number in the file; give it whole", name));
+    std::vector<double> list;
+    for (const toml::node& item : *array) {
+      if (!item.is_number()) fail(fmt::format("{} is not a list of numbers in the file", name));
+      list.push_back(*item.value<double>());
+    }
+    return list;
   }
 
   // The TOML value, or the bare text where the key is one.

@@ -1,5 +1,5 @@
-// One table of a mission file, from which the keys of a schema table are read. Only the sources of
-// this room include it, for it shows the TOML library.
+// One table of a mission or campaign file, from which the keys of a schema table are read. Only
+// sources of the library include it, for it shows the TOML library.
 #pragma once
 
 #include <optional>

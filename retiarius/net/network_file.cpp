@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -127,7 +128,7 @@ void read_statement(std::vector<Word> words, Statements& out) {
   }
 }
 
-Statements read_statements(const std::string& path) {
+std::ifstream opened(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw InputError(fmt::format("net.file = \"{}\": is a directory, not a network file", path));
@@ -138,6 +139,10 @@ Statements read_statements(const std::string& path) {
     throw InputError(
         fmt::format("net.file = \"{}\": cannot be read ({})", path, std::strerror(errno)));
   }
+  return stream;
+}
+
+Statements read_statements(std::istream& stream, const std::string& path) {
   Statements out;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
@@ -263,7 +268,14 @@ class Assembly {
 }  // namespace
 
 Layout read_network_file(const std::string& path) {
-  const Statements statements = read_statements(path);
+  std::ifstream stream = opened(path);
+  const Statements statements = read_statements(stream, path);
+  return Assembly(statements).layout();
+}
+
+Layout parse_network(const std::string& content, const std::string& path) {
+  std::istringstream stream(content);
+  const Statements statements = read_statements(stream, path);
   return Assembly(statements).layout();
 }
 

@@ -28,4 +28,7 @@ namespace retiarius {
 // that cannot be read or holds no segment.
 Layout read_network_file(const std::string& path);
 
+// The same for the content of a file; `path` is only named in errors.
+Layout parse_network(const std::string& content, const std::string& path);
+
 }  // namespace retiarius

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace retiarius {
 
@@ -14,22 +15,26 @@ struct Minifloat {
   double quantum = 1.0;
   std::int32_t steps = 128;
 
-  // Of a finite value.
+  // Of any value; what is too large, or no number, has the largest code.
   std::int32_t code(double value) const {
+    constexpr int kOctaves = 2200;  // more than there are between any two numbers
+    constexpr double kLargest = std::numeric_limits<std::int32_t>::max();
     double scaled = std::abs(value) / quantum;
-    std::int32_t octave = 0;
-    while (scaled >= 2.0 * steps) {
+    int octave = 0;
+    while (scaled >= 2.0 * steps && octave < kOctaves) {
       scaled *= 0.5;
       ++octave;
     }
-    const auto size = static_cast<std::int32_t>(std::floor(scaled + 0.5)) + octave * steps;
+    const double exact = std::floor(scaled + 0.5) + static_cast<double>(octave) * steps;
+    const auto size = static_cast<std::int32_t>(exact < kLargest ? exact : kLargest);
     return value < 0.0 ? -size : size;
   }
 
   double value(std::int32_t code) const {
-    const std::int32_t size = code < 0 ? -code : code;
-    const std::int32_t octave = size < steps ? 0 : size / steps - 1;
-    const double scaled = std::ldexp(static_cast<double>(size - octave * steps), octave) * quantum;
+    const std::int64_t size = code < 0 ? -std::int64_t{code} : code;
+    const std::int64_t octave = size < steps ? 0 : size / steps - 1;
+    const double scaled =
+        std::ldexp(static_cast<double>(size - octave * steps), static_cast<int>(octave)) * quantum;
     return code < 0 ? -scaled : scaled;
   }
 };

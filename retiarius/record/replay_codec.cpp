@@ -134,7 +134,7 @@ BodyState read_body(Pieces& pieces) {
 }  // namespace
 
 ReplayCodec::ReplayCodec(ReplayShape shape, const ReplayScales& scales)
-    : shape_(std::move(shape)), scales_(scales), touch_(shape_.nodes, 0) {}
+    : shape_(std::move(shape)), scales_(scales) {}
 
 std::size_t ReplayCodec::length(int sequence) const {
   return sequence == kTension || sequence == kStrain ? shape_.axial_stiffness.size() : shape_.nodes;
@@ -304,6 +304,8 @@ ReplayFrame ReplayCodec::decode(std::string_view content) {
   if (key) since_key_ = 0;
   for (std::size_t k = 0; k < shape_.bodies; ++k) frame.bodies.push_back(read_body(head));
   const std::string stream = inflated(head.rest());
+  // Each node has a byte at the end: without them, no memory is taken for what a header claims.
+  if (stream.size() < shape_.nodes) Pieces(stream).take(shape_.nodes);
   Pieces pieces(stream);
   std::array<Codes, kSequences> codes;
   for (int s = 0; s < kSequences; ++s) {

@@ -1,6 +1,7 @@
 #include "retiarius/record/replay_header.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -121,12 +122,27 @@ Json bullets(const Network& net) {
   return list;
 }
 
+// A count; what is no integer or below 0 would be converted to nonsense.
+std::size_t count_at(const Json& object, const char* key) {
+  const Json& value = object.at(key);
+  if (!value.is_number_unsigned())
+    throw InputError(fmt::format("the recording is damaged: {} is no count", key));
+  return value.get<std::size_t>();
+}
+
+double quantum_at(const Json& object) {
+  const double quantum = object.at("quantum").get<double>();
+  if (!(quantum > 0.0 && std::isfinite(quantum)))
+    throw InputError("the recording is damaged: a quantity without scale");
+  return quantum;
+}
+
 Minifloat scale_of(const Json& channel) {
-  const Minifloat scale{channel.at("quantum").get<double>(),
-                        channel.at("steps").get<std::int32_t>()};
-  if (!(scale.quantum > 0.0) || scale.steps < 1)
+  constexpr std::size_t kMostSteps = 1u << 20;
+  const std::size_t steps = count_at(channel, "steps");
+  if (steps < 1 || steps > kMostSteps)
     throw InputError("the recording is damaged: a channel without scale");
-  return scale;
+  return {quantum_at(channel), static_cast<std::int32_t>(steps)};
 }
 
 template <class T>
@@ -139,7 +155,7 @@ T number_at(const std::string& bytes, std::size_t place) {
 // The arrays begin with the segments' ends, materials and rest lengths.
 void read_segments(const std::string& arrays, std::size_t count, const Json& materials,
                    ReplayShape& shape) {
-  if (arrays.size() < 20 * count) throw InputError("the recording is damaged: short arrays");
+  if (arrays.size() / 20 < count) throw InputError("the recording is damaged: short arrays");
   for (std::size_t k = 0; k < count; ++k) {
     shape.ends.push_back({number_at<Index>(arrays, 8 * k), number_at<Index>(arrays, 8 * k + 4)});
     for (Index node : shape.ends.back())
@@ -214,11 +230,11 @@ ReplayHeader read_replay_header(std::string_view content) {
   const std::string arrays = inflated(content.substr(std::min(content.size(), size + sizeof size)));
   try {
     const Json head = Json::parse(header.text);
-    header.shape.nodes = head.at("nodes").get<std::size_t>();
+    header.shape.nodes = count_at(head, "nodes");
     header.shape.bodies = head.at("bodies").size();
-    const auto segments = head.at("segments").get<std::size_t>();
+    const auto segments = count_at(head, "segments");
     read_segments(arrays, segments, head.at("materials"), header.shape);
-    header.scales.quantum = head.at("quantum").get<double>();
+    header.scales.quantum = quantum_at(head);
     const Json& list = head.at("channels");
     header.scales.tension = scale_of(list.at(0));
     header.scales.strain = scale_of(list.at(1));

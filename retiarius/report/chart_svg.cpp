@@ -1,70 +1,29 @@
 #include "retiarius/report/chart_svg.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
-#include "retiarius/report/chart_axis.hpp"
 #include "retiarius/report/chart_curves.hpp"
+#include "retiarius/report/chart_frame.hpp"
 #include "retiarius/report/chart_legend.hpp"
 #include "retiarius/report/chart_paint.hpp"
 #include "retiarius/report/svg_plot.hpp"
-#include "retiarius/report/ticks.hpp"
 
 namespace retiarius {
 
 namespace {
 
 // Units of the viewBox: small, so that text stays readable on a phone.
-constexpr double kWidth = 480.0;
-constexpr double kFont = 12.0, kLegendFont = 11.5, kTitleFont = 13.5;
+constexpr double kWidth = kChartWidth, kFont = kChartFont, kLegendFont = 11.5, kTitleFont = 13.5;
 constexpr double kPlotHeight = 250.0, kLeastHeight = 120.0, kMostHeight = 400.0;
-constexpr double kRightMargin = 16.0, kTickSpace = 18.0, kLabelSpace = 20.0;
+constexpr double kRightMargin = 16.0, kLabelSpace = 20.0;
 constexpr double kSample = 26.0, kLegendLine = 17.0;  // a line's sample, a row of the legend
 constexpr const char* kFontFamily =
     "system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue','DejaVu Sans',Arial,sans-serif";
 
-struct Layout {
-  ChartAxis x, y;
-  PixelBox frame{};
-};
-
-// "L^3" and the unit "m2" with superscripts.
-std::string with_superscripts(const std::string& label) {
-  const std::size_t slash = label.rfind(" / ");
-  const std::size_t unit = slash == std::string::npos ? label.size() : slash;
-  std::string text;
-  for (std::size_t k = 0; k < label.size(); ++k) {
-    const bool power = label[k] == '^' && k + 1 < label.size() && std::isdigit(label[k + 1]) != 0;
-    if (power) ++k;
-    if (power ||
-        (k > unit + 3 && (label[k] == '2' || label[k] == '3') && std::isalpha(label[k - 1]) != 0))
-      text += superscript(label[k]);
-    else
-      text += label[k];
-  }
-  return text;
-}
-
-// "force / N" in units of 10^-3: "force / 10^-3 N"; what has the unit 1 says none.
-std::string label_text(const std::string& given, int exponent) {
-  std::string label = with_superscripts(given);
-  if (label.ends_with(" / 1")) label.resize(label.size() - 4);
-  if (exponent == 0) return label;
-  const std::string power = power_of_ten(exponent);
-  const std::size_t slash = given.ends_with(" / 1") ? std::string::npos : label.rfind(" / ");
-  if (slash == std::string::npos) return label + " / " + power;
-  return label.substr(0, slash) + " / " + power + " " + label.substr(slash + 3);
-}
-
-double widest(const std::vector<std::string>& labels) {
-  double width = 0.0;
-  for (const std::string& label : labels) width = std::max(width, text_width(label, kFont));
-  return width;
-}
+;
 
 Extent widened(Extent extent, double length) {
   const double middle = 0.5 * (extent.low + extent.high);
@@ -73,8 +32,8 @@ Extent widened(Extent extent, double length) {
 
 // One unit of x as long as one of y: the frame's height follows the data as far as it can, then
 // the shorter range is widened.
-void make_equal(Layout& layout, Extent x, Extent y) {
-  const double width = layout.frame.right - layout.frame.left;
+void make_equal(ChartFrame& layout, Extent x, Extent y) {
+  const double width = layout.box.right - layout.box.left;
   const double margin = 0.04 * std::max({x.high - x.low, y.high - y.low, 1e-300});
   x = widened(x, x.high - x.low + 2 * margin);
   y = widened(y, y.high - y.low + 2 * margin);
@@ -83,73 +42,32 @@ void make_equal(Layout& layout, Extent x, Extent y) {
   const double scale = std::max((x.high - x.low) / width, (y.high - y.low) / height);
   layout.x = linear_axis(widened(x, scale * width), 6, false);
   layout.y = linear_axis(widened(y, scale * height), static_cast<int>(2 + height / 60), false);
-  layout.frame.bottom = layout.frame.top + height;
+  layout.box.bottom = layout.box.top + height;
 }
 
-Layout layout_of(const Chart& chart, double top) {
+ChartFrame layout_of(const Chart& chart, double top) {
   Extent x = Extent::none(), y = Extent::none();
   for (const Curve& curve : chart.curves) {
     const Curve shown = visible(curve, chart.log_x, chart.log_y);
     x.add(shown.x, chart.log_x);
     y.add(shown.y, chart.log_y);
   }
-  Layout layout;
+  ChartFrame layout;
   layout.x = chart.log_x ? log_axis(x) : linear_axis(x, 6, false);
   layout.y = chart.log_y ? log_axis(y) : linear_axis(y, 5, true);
   const bool equal = chart.equal_axes && !x.empty() && !chart.log_x && !chart.log_y;
-  layout.frame = {0.0, top, kWidth - kRightMargin, top + kPlotHeight};
+  layout.box = {0.0, top, kWidth - kRightMargin, top + kPlotHeight};
   for (int pass = 0; pass < 2; ++pass) {  // the labels' width depends on the range, and back
-    layout.frame.left = kLabelSpace + widest(layout.y.labels) + 8.0;
+    layout.box.left = kLabelSpace + widest_label(layout.y) + 8.0;
     if (equal) make_equal(layout, x, y);
   }
   return layout;
 }
 
-std::string text_svg(double x, double y, const char* anchor, const std::string& color,
-                     const std::string& text, const std::string& more = "") {
-  return fmt::format(
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" style=\"fill:{}\"{}>{}</text>", x, y,
-      anchor, color, more, escape_html(text));
-}
-
-// Grid, ticks and their labels of both axes, the frame, and what the axes are.
-std::string axes_svg(const Chart& chart, const Layout& layout, const ChartPaint& paint) {
-  const PixelBox& f = layout.frame;
-  const auto px = [&](double v) { return f.left + (f.right - f.left) * layout.x.fraction(v); };
-  const auto py = [&](double v) { return f.bottom - (f.bottom - f.top) * layout.y.fraction(v); };
-  std::string grid, ticks, texts;
-  for (std::size_t k = 0; k < layout.x.ticks.size(); ++k) {
-    const double x = px(layout.x.ticks[k]);
-    grid += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, f.top, f.bottom);
-    ticks += fmt::format("M{:.1f} {:.1f}v-6", x, f.bottom);
-    // A label at the end of the axis stays within the picture.
-    const double half = 0.5 * text_width(layout.x.labels[k], kFont);
-    texts += text_svg(std::min(x, kWidth - 1.0 - half), f.bottom + 15.0, "middle", paint.soft,
-                      layout.x.labels[k]);
-  }
-  for (double v : layout.x.minor) ticks += fmt::format("M{:.1f} {:.1f}v-3", px(v), f.bottom);
-  for (std::size_t k = 0; k < layout.y.ticks.size(); ++k) {
-    const double y = py(layout.y.ticks[k]);
-    grid += fmt::format("M{:.1f} {:.1f}H{:.1f}", f.left, y, f.right);
-    ticks += fmt::format("M{:.1f} {:.1f}h6", f.left, y);
-    texts += text_svg(f.left - 6.0, y + 4.0, "end", paint.soft, layout.y.labels[k]);
-  }
-  for (double v : layout.y.minor) ticks += fmt::format("M{:.1f} {:.1f}h3", f.left, py(v));
-  texts += text_svg(0.5 * (f.left + f.right), f.bottom + kTickSpace + 15.0, "middle", paint.ink,
-                    label_text(chart.x_label, layout.x.exponent));
-  const double middle = 0.5 * (f.top + f.bottom);
-  texts += text_svg(13.0, middle, "middle", paint.ink, label_text(chart.y_label, layout.y.exponent),
-                    fmt::format(" transform=\"rotate(-90 13 {:.1f})\"", middle));
-  return fmt::format(
-      "<path style=\"stroke:{};fill:none\" d=\"{}\"/>"
-      "<path style=\"stroke:{};fill:none\" d=\"{}M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z\"/>{}",
-      paint.grid, grid, paint.soft, ticks, f.left, f.top, f.right, f.bottom, f.left, texts);
-}
-
 std::string entry_svg(const DrawnCurve& curve, double x, double y, const ChartPaint& paint) {
   return sample_svg(curve, x, y - 4.0, kSample - 6.0, paint) +
-         text_svg(x + kSample, y, "start", paint.ink, curve.name,
-                  fmt::format(" font-size=\"{}\"", kLegendFont));
+         chart_text(x + kSample, y, "start", paint.ink, curve.name,
+                    fmt::format(" font-size=\"{}\"", kLegendFont));
 }
 
 // The legend, and how much it needs below the frame.
@@ -214,8 +132,8 @@ std::string opening(const Chart& chart, ChartLook look, const std::string& id, d
       escape_html(chart_alternative(chart)));
   if (look == ChartLook::standalone)
     svg += fmt::format("<rect width=\"100%\" height=\"100%\" style=\"fill:{}\"/>", paint.paper) +
-           text_svg(kWidth / 2, 19.0, "middle", paint.ink, chart.title,
-                    fmt::format(" font-size=\"{}\" font-weight=\"600\"", kTitleFont));
+           chart_text(kWidth / 2, 19.0, "middle", paint.ink, chart.title,
+                      fmt::format(" font-size=\"{}\" font-weight=\"600\"", kTitleFont));
   return svg;
 }
 
@@ -242,15 +160,14 @@ std::string chart_alternative(const Chart& chart) {
 std::string chart_svg(const Chart& chart, ChartLook look, const std::string& id) {
   const bool alone = look == ChartLook::standalone;
   const ChartPaint& paint = alone ? print_paint() : page_paint();
-  const Layout layout = layout_of(chart, alone ? 32.0 : 10.0);
-  const PixelBox& frame = layout.frame;
+  const ChartFrame layout = layout_of(chart, alone ? 32.0 : 10.0);
+  const PixelBox& frame = layout.box;
   const std::vector<DrawnCurve> curves = drawn_curves(
-      chart,
-      [&](double x) { return frame.left + (frame.right - frame.left) * layout.x.fraction(x); },
-      [&](double y) { return frame.bottom - (frame.bottom - frame.top) * layout.y.fraction(y); });
+      chart, [&](double x) { return layout.px(x); }, [&](double y) { return layout.py(y); });
   const Legend legend = legend_of(curves, frame, paint);
   const double height = frame.bottom + kTickSpace + 24.0 + legend.height;
-  std::string svg = opening(chart, look, id, height, paint) + axes_svg(chart, layout, paint);
+  std::string svg = opening(chart, look, id, height, paint) +
+                    axes_svg(layout, chart.x_label, chart.y_label, paint);
   // Lines below, what they are compared with above, so that both are seen.
   for (CurveStyle style : {CurveStyle::line, CurveStyle::dashed, CurveStyle::points})
     for (const DrawnCurve& curve : curves)

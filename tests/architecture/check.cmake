@@ -69,7 +69,8 @@ file(GLOB_RECURSE library RELATIVE "${SOURCE_DIR}"
      "${SOURCE_DIR}/retiarius/*.hpp" "${SOURCE_DIR}/retiarius/*.cpp")
 file(GLOB_RECURSE others RELATIVE "${SOURCE_DIR}"
      "${SOURCE_DIR}/program/*.[ch]pp" "${SOURCE_DIR}/tests/*.[ch]pp"
-     "${SOURCE_DIR}/verification/*.[ch]pp" "${SOURCE_DIR}/benchmarks/*.[ch]pp")
+     "${SOURCE_DIR}/verification/*.[ch]pp" "${SOURCE_DIR}/benchmarks/*.[ch]pp"
+     "${SOURCE_DIR}/fuzz/*.[ch]pp")
 if(NOT library)
   message(FATAL_ERROR "no sources below ${SOURCE_DIR}/retiarius")
 endif()

@@ -307,6 +307,25 @@ TEST_F(ShutNet, HasNotSucceededTooEarlyOrWithTheTargetOutside) {
   EXPECT_FALSE(flag(outside, "success"));
 }
 
+// The hull is the cube of side 2 with a roof of 0.2 above a square of 0.1; the sphere's radius 0.5.
+TEST_F(ShutNet, TellsTheCaptureQuality) {
+  bodies_ = {make_body(make_sphere(0.5), ShapeKind::sphere, Vec3::Zero())};
+  Simulation sim = start(net_, bodies_);
+  RunMeasures measures = begun(net_, bodies_, sim);
+  const double roof = 0.2 / 3 * (4 + 0.01 + std::sqrt(4 * 0.01));
+  const double slope = 4 * 0.5 * (2 + 0.1) * std::hypot(0.95, 0.2);
+  const double center = (4 * 1.2) / 12;  // of twelve equal masses
+  const double expected =
+      0.1 * (8 + roof - kPi / 6) / (kPi / 6) + 0.1 * (20 + 0.01 + slope - kPi) / kPi + 0.8 * center;
+  const HistoryRow row = measures.row(sim, 0);
+  ASSERT_TRUE(row.capture_quality);
+  EXPECT_NEAR(*row.capture_quality, expected, 1e-12);
+  EXPECT_NEAR(number(measures.summary(), "capture_quality_final"), expected, 1e-12);
+  measures.keep(row);  // nothing touches: nothing to settle
+  EXPECT_TRUE(absent(measures.summary(), "capture_quality_settled"));
+  EXPECT_TRUE(absent(measures.summary(), "capture_quality_settling_time"));
+}
+
 TEST_F(ShutNet, NamesAllMeasures) {
   std::vector<std::string> names;
   for (const Measure& m : after(0.1, Vec3::Zero())) names.push_back(m.name);
@@ -324,6 +343,9 @@ TEST_F(ShutNet, NamesAllMeasures) {
                                              "first_contact_time",
                                              "smallest_distance",
                                              "captured_share",
+                                             "capture_quality_final",
+                                             "capture_quality_settled",
+                                             "capture_quality_settling_time",
                                              "closed",
                                              "success",
                                              "linear_momentum_drift",

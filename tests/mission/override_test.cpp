@@ -18,6 +18,14 @@ const std::string kTwoSpheres =
     "[[target]]\nshape = \"sphere\"\nradius = 1.0\nmass = 1.0\n"
     "[[target]]\nshape = \"sphere\"\nradius = 2.0\nmass = 1.0\n";
 
+TEST(Override, BracketsStandForOneNumberOfAList) {
+  const Mission m =
+      set({"target.position=[1, 2, 3]", "target.position[1]=-0.5", "target.spin_deg[2]=7"},
+          kLeast + kSphere);
+  EXPECT_EQ(m.targets[0].position, Vec3(1.0, -0.5, 3.0));
+  EXPECT_EQ(m.targets[0].spin_deg, Vec3(0.0, 0.0, 7.0));
+}
+
 TEST(Override, ReplacesValues) {
   EXPECT_EQ(set({"net.thread.radius=0.004"}).net.thread.radius, 0.004);
   EXPECT_EQ(set({" net.thread.radius = 0.004 "}).net.thread.radius, 0.004);
@@ -85,6 +93,12 @@ TEST(Override, ErrorsNameTheOverride) {
       {"titel=x", "unknown key titel, did you mean title?"},
       {"phase.kind=free", "phase is a list of tables, write phase[0]"},
       {"phase[5].kind=free", "phase[5] does not exist: there are 1"},
+      {"environment.gravity[3]=1", "environment.gravity[3] does not exist: there are 3"},
+      {"environment.gravity[0]=x", "\"x\" is not a TOML value"},
+      {"environment.gravity[0]=true", "the value must be a number"},
+      {"environment.damping[0]=1", "environment.damping is no list of numbers"},
+      {"net.thread[0]=1", "net.thread is a table, not a list of numbers"},
+      {"environment.gravty[0]=1", "unknown key environment.gravty, did you mean gravity?"},
       {"phase[x].kind=free", "\"phase[x]\" is not a name with an index, as in phase[0]"},
       {"phase[-1].kind=free", "\"phase[-1]\" is not a name with an index, as in phase[0]"},
       {"phase[0.kind=free", "\"phase[0\" is not a name with an index, as in phase[0]"},

@@ -187,5 +187,16 @@ TEST_F(NetworkFile, FilesThatAreNone) {
   EXPECT_EQ(refusal("# nothing\nnode 0 0 0\n"), "net.file = \"" + path_ + "\": holds no segment");
 }
 
+TEST_F(NetworkFile, TextReadsAsItsFile) {
+  const std::string text = "node 0 0 0\nnode 1 0 0\nsegment 0 1 0.5\ncorner 0\n";
+  const Layout from_file = read_network_file(write(text));
+  const Layout from_text = parse_network(text, "n.net");
+  ASSERT_EQ(from_text.pieces.size(), 1u);
+  EXPECT_EQ(from_text.pieces[0].rest_length, 0.5);
+  EXPECT_EQ(from_text.nodes, from_file.nodes);
+  EXPECT_EQ(error_of<InputError>([] { parse_network("node 0 0 x", "n.net"); }),
+            "n.net:1:10: \"x\" is not a number");
+}
+
 }  // namespace
 }  // namespace retiarius

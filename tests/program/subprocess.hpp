@@ -33,6 +33,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const;
+  pid_t id() const { return id_; }
   bool running();
   ProcessResult wait();
 

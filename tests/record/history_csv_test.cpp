@@ -43,7 +43,7 @@ TEST(HistoryColumns, HaveTheNamesThatScriptsRelyOn) {
             "environment_loss, friction_loss, impact_loss, integrator_loss, prescribed_work, "
             "momentum_x, momentum_y, momentum_z, angular_momentum_x, angular_momentum_y, "
             "angular_momentum_z, peak_tension, peak_strain, contacts, smallest_distance, "
-            "newton_iterations, captured_share, step_size");
+            "newton_iterations, captured_share, capture_quality, step_size");
 }
 
 // A row whose every member differs shows that each column reads its own.
@@ -67,9 +67,10 @@ TEST(HistoryColumns, ReadTheirOwnMembers) {
   row.smallest_distance = 26;
   row.newton_iterations = 27;
   row.captured_share = 28;
-  row.step_size = 29;
+  row.capture_quality = 29;
+  row.step_size = 30;
   const std::vector<double> values = history_values(row);
-  ASSERT_EQ(values.size(), 30u);
+  ASSERT_EQ(values.size(), 31u);
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values[k], static_cast<double>(k));
 }
 
@@ -91,8 +92,8 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   ASSERT_EQ(lines.size(), 6u);
   EXPECT_THAT(lines[0], StartsWith("time,step,phase,mouth_area,"));
   const auto names = cells_of(lines[0]);
-  EXPECT_EQ(names.size(), 30u + 12u);
-  EXPECT_EQ(names[30], "center.x");
+  EXPECT_EQ(names.size(), 31u + 12u);
+  EXPECT_EQ(names[31], "center.x");
   EXPECT_EQ(names.back(), "corner0.fz");
   const auto first = cells_of(lines[1]);
   const auto last = cells_of(lines[5]);
@@ -101,7 +102,7 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   EXPECT_EQ(first[26], "");  // no distance yet
   EXPECT_EQ(std::strtod(last[0].c_str(), nullptr), 0.1 * 4);
   EXPECT_EQ(std::strtod(last[26].c_str(), nullptr), *run.row(0.1 * 4).smallest_distance);
-  EXPECT_EQ(std::strtod(last[31].c_str(), nullptr), 1.0 / 3.0);
+  EXPECT_EQ(std::strtod(last[32].c_str(), nullptr), 1.0 / 3.0);
   EXPECT_EQ(last.back(), "2.5");
 }
 

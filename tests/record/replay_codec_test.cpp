@@ -124,6 +124,28 @@ TEST(ReplayCodec, RefusesWhatItCannotKeep) {
   EXPECT_THROW(writer.encode(shorter), Error);
 }
 
+TEST(Minifloat, HoldsAnyNumberAndReadsAnyCode) {
+  const Minifloat coarse{1.0, 1}, fine{1e-5, 1 << 20};
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  EXPECT_EQ(fine.code(kInfinity), kMost);
+  EXPECT_EQ(fine.code(-kInfinity), -kMost);
+  EXPECT_EQ(fine.code(1e308), kMost);
+  EXPECT_EQ(coarse.code(std::nan("")), kMost);
+  EXPECT_EQ(coarse.code(4.0), 3);
+  EXPECT_EQ(coarse.value(3), 4.0);
+  EXPECT_EQ(coarse.value(std::numeric_limits<std::int32_t>::min()), -kInfinity);
+}
+
+TEST(ReplayCodec, TakesNoMemoryForNodesThatAFrameDoesNotHave) {
+  ReplayCodec writer(shape(), scales());
+  const std::string content = writer.encode(frame(0));
+  ReplayShape huge = shape();
+  huge.nodes = std::size_t{1} << 60;
+  ReplayCodec reader(huge, scales());
+  EXPECT_THAT(error_text<InputError>([&] { reader.decode(content); }),
+              HasSubstr("a frame is too short"));
+}
+
 TEST(ReplayCodec, NamesDamage) {
   ReplayCodec writer(shape(), scales());
   const std::string content = writer.encode(frame(0));

@@ -75,6 +75,31 @@ TEST(ReplayHeader, DescribesNetAndBodies) {
   EXPECT_THAT(error_text<InputError>([] { read_replay_header("\1"); }), HasSubstr("no header"));
 }
 
+// A header with one number replaced; every number below was accepted, converted to nonsense, or
+// made the reader take memory without bound.
+TEST(ReplayHeader, RefusesNumbersThatMakeNoSense) {
+  const SampleRun run;
+  const std::string whole = replay_header(run.model(), "9.9");
+  const std::string text = read_replay_header(whole).text;
+  const std::string arrays = whole.substr(4 + text.size());
+  const auto refusal = [&](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json head = nlohmann::json::parse(text);
+    head[nlohmann::json::json_pointer(pointer)] = value;
+    const std::string changed = head.dump();
+    std::string content;
+    append_bytes(content, static_cast<std::uint32_t>(changed.size()));
+    return error_text<InputError>([&] { read_replay_header(content + changed + arrays); });
+  };
+  EXPECT_THAT(refusal("/nodes", 1e30), HasSubstr("nodes is no count"));
+  EXPECT_THAT(refusal("/nodes", -1), HasSubstr("nodes is no count"));
+  EXPECT_THAT(refusal("/segments", 0xfffffffffffffff0u), HasSubstr("short arrays"));
+  EXPECT_THAT(refusal("/channels/0/steps", 2147483647), HasSubstr("without scale"));
+  EXPECT_THAT(refusal("/channels/0/steps", 0), HasSubstr("without scale"));
+  EXPECT_THAT(refusal("/channels/3/quantum", 0.0), HasSubstr("without scale"));
+  EXPECT_THAT(refusal("/quantum", -1.0), HasSubstr("without scale"));
+  EXPECT_THAT(refusal("/quantum", "x"), HasSubstr("cannot be used"));
+}
+
 TEST(ReplayRecorder, NamesAFileThatCannotBeWritten) {
   TemporaryFolder folder;
   ReplayRecorder recorder(folder / "missing", "");
