@@ -58,6 +58,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_view_command(app);
   add_campaign_command(app, code);
   add_converge_command(app, code);
+  add_check_contact_command(app, code);
   add_verify_command(app, code);
   add_bench_command(app);
   add_docs_command(app);

@@ -21,6 +21,7 @@ void add_docs_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_campaign_command(CLI::App& app, ExitCode& code);
 void add_converge_command(CLI::App& app, ExitCode& code);
+void add_check_contact_command(CLI::App& app, ExitCode& code);
 void add_verify_command(CLI::App& app, ExitCode& code);
 
 }  // namespace retiarius::program

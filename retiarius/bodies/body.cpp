@@ -82,6 +82,7 @@ Body build_body(const BodySpec& spec, const std::string& folder) {
   } else if (!spec.inertia) {
     body.inertia = body.mass / solid.volume * solid.inertia;
   }
+  body.friction = spec.friction;
   body.initial.position = spec.position;
   body.initial.attitude = rotation(spec.attitude_deg * radians(1.0)).normalized();
   body.initial.velocity = spec.velocity;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "retiarius/base/vec.hpp"
@@ -19,6 +20,7 @@ struct Body {
   double mass = 0.0;            // kg; infinite for a fixed body
   Mat3 inertia = Mat3::Zero();  // body axes, about the mass centre, kg m2; zero for a fixed body
   BodyState initial;
+  std::optional<double> friction;  // Coulomb coefficient of its surface; absent: the mission's
 };
 
 // Builds body and initial state. Throws InputError.

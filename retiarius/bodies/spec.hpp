@@ -30,6 +30,7 @@ struct BodySpec {
   Vec3 attitude_deg = Vec3::Zero();  // rotation vector body to world, degrees
   Vec3 velocity = Vec3::Zero();      // m/s
   Vec3 spin_deg = Vec3::Zero();      // deg/s, body axes
+  std::optional<double> friction;    // Coulomb coefficient of its surface; default: [contact]'s
 };
 
 }  // namespace retiarius

@@ -7,6 +7,7 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/parallel.hpp"
+#include "retiarius/base/stopwatch.hpp"
 #include "retiarius/contact/advance.hpp"
 
 namespace retiarius {
@@ -113,14 +114,21 @@ void BarrierContact::begin(const Step& step) {
   rounds_ = 0;
 }
 
-double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces& to) {
+// With the range as margin, so that what is in contact on the way is among the pairs found.
+const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from,
+                                                       const ContactPlaces& to) {
+  const Stopwatch watch(search_time_);
   const std::size_t n = from.nodes->size();
   moves_.resize(n);
   for (std::size_t i = 0; i < n; ++i) moves_[i] = (*to.nodes)[i] - (*from.nodes)[i];
   twists_.clear();
   for (std::size_t b = 0; b < from.bodies->size(); ++b)
     twists_.push_back(motion_between((*from.bodies)[b], (*to.bodies)[b]));
-  const std::vector<ContactPair>& pairs = broad_->find(*from.nodes, moves_, twists_, range_);
+  return broad_->find(*from.nodes, moves_, twists_, range_);
+}
+
+double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces& to) {
+  const std::vector<ContactPair>& pairs = search(from, to);
   shares_.resize(pairs.size());
   parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -144,14 +152,7 @@ double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces
 
 bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPlaces& end,
                                     std::string& pair_name) {
-  const std::size_t n = start.nodes->size();
-  moves_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) moves_[i] = (*end.nodes)[i] - (*start.nodes)[i];
-  twists_.clear();
-  for (std::size_t b = 0; b < start.bodies->size(); ++b)
-    twists_.push_back(motion_between((*start.bodies)[b], (*end.bodies)[b]));
-  // With the range as margin, so that what is in contact at the end is among the pairs found.
-  const std::vector<ContactPair>& pairs = broad_->find(*start.nodes, moves_, twists_, range_);
+  const std::vector<ContactPair>& pairs = search(start, end);
   shares_.resize(pairs.size());
   parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t stop) {
     for (std::size_t k = begin; k < stop; ++k) {

@@ -117,6 +117,7 @@ class BarrierContact {
   // The contacts at a place, friction by the last round's normal forces.
   std::vector<PairContact> contacts(const ContactPlaces& at);
 
+  double search_time() const { return search_time_; }  // for what may touch, since the start, s
   bool touches_itself() const { return spec_.self; }
   double range() const { return range_; }
   const CollisionScene& scene() const { return scene_; }
@@ -158,6 +159,7 @@ class BarrierContact {
   Vec3 world(const PointPlace& place, const ContactPlaces& at) const;
   bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives,
                Near& near) const;
+  const std::vector<ContactPair>& search(const ContactPlaces& from, const ContactPlaces& to);
   void mark_near(const ContactPlaces& at);
   double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
   double add_friction(const Sliding& s, const ContactPlaces& at, ContactAssembly* out) const;
@@ -188,6 +190,7 @@ class BarrierContact {
   std::vector<BodyPlace> body_places_;
   std::vector<Sliding> sliding_;
   int rounds_ = 0;
+  double search_time_ = 0.0;
   double force_round_off_ = 0.0;
 };
 

@@ -7,9 +7,15 @@
 
 namespace retiarius {
 
+// Of the pair's materials: a body's own coefficient counts before the mission's.
 double BarrierContact::coefficient(const ContactPair& pair) const {
-  const bool threads = pair.first_owner == kNet && pair.second_owner == kNet;
-  return threads ? spec_.thread_friction : spec_.friction;
+  const auto of_body = [&](Index owner) {
+    return (*bodies_)[static_cast<std::size_t>(owner)].friction.value_or(spec_.friction);
+  };
+  if (pair.first_owner == kNet && pair.second_owner == kNet) return spec_.thread_friction;
+  if (pair.first_owner == kNet) return of_body(pair.second_owner);
+  if (pair.second_owner == kNet) return of_body(pair.first_owner);
+  return 0.5 * (of_body(pair.first_owner) + of_body(pair.second_owner));
 }
 
 // The contacts at a place with their normal forces.
@@ -63,11 +69,10 @@ double BarrierContact::add_friction(const Sliding& s, const ContactPlaces& at,
 }
 
 bool BarrierContact::revise(const ContactPlaces& at) {
-  if (spec_.friction == 0.0 && spec_.thread_friction == 0.0) return false;
   if (++rounds_ >= spec_.friction_rounds) return false;
   std::vector<Sliding> next = slidings(at);
   // Both are ordered as the pairs are.
-  double change = 0.0, sum = 0.0;
+  double change = 0.0, sum = 1e-300;
   auto old = sliding_.begin();
   for (const Sliding& s : next) {
     for (; old != sliding_.end() && old->pair < s.pair; ++old) change += old->force;

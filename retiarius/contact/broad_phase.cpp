@@ -70,9 +70,14 @@ PointMotion BroadPhase::point(Index body, Index k) const {
   return body_point_motion((*twists_)[at(body)], scene_->bodies[at(body)].points[at(k)]);
 }
 
-Box BroadPhase::segment_box(Index segment) const {
-  const auto& [a, b] = scene_->net.edges[at(segment)];
-  return world_box(node(a)).merged(world_box(node(b)));
+// Of the motion beyond `drift`, with the segment's radius.
+Box BroadPhase::segment_box(Index segment, const Vec3& drift) const {
+  Box box;
+  for (const Index n : scene_->net.edges[at(segment)]) {
+    const Vec3 &start = (*x_)[at(n)], end = start + ((*dx_)[at(n)] - drift);
+    box.extend(start).extend(end);
+  }
+  return widened(box, scene_->net.edge_radius[at(segment)]);
 }
 
 // About the bounding sphere along its way.
@@ -94,9 +99,9 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
   for (Found& part : parts_) part.clear();
   boxes_.resize(scene_->net.edges.size());
   each(boxes_.size(), [&](Index s, Found&) {
-    boxes_[at(s)] = widened(segment_box(s), scene_->net.edge_radius[at(s)] + 0.5 * margin);
+    boxes_[at(s)] = widened(segment_box(s, Vec3::Zero()), 0.5 * margin);
   });
-  if (options_.self) net_on_net();
+  if (options_.self) net_on_net(margin);
   const auto count = static_cast<Index>(scene_->bodies.size());
   for (Index k = 0; k < count; ++k) {
     if (scene_->bodies[at(k)].half_space) {
@@ -112,8 +117,14 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
   return pairs_;
 }
 
-void BroadPhase::net_on_net() {
-  net_tree_.build(boxes_);
+void BroadPhase::net_on_net(double margin) {
+  Vec3 drift = Vec3::Zero();
+  for (const Vec3& move : *dx_) drift += move;
+  drift /= std::max<double>(1.0, static_cast<double>(dx_->size()));
+  drifting_.resize(boxes_.size());
+  each(drifting_.size(),
+       [&](Index s, Found&) { drifting_[at(s)] = widened(segment_box(s, drift), 0.5 * margin); });
+  net_tree_.build(drifting_);
   each(net_tree_.size(), [&](Index leaf, Found& found) {
     net_tree_.visit_pairs(at(leaf), at(leaf) + 1, [&](Index s, Index t) {
       if (neighbours_ == nullptr || !neighbours_->are_neighbours(s, t))

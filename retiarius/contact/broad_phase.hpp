@@ -13,7 +13,8 @@ namespace retiarius {
 // margin, overlap. So no pair is missing whose surfaces come within `margin` of each other at any t
 // in [0, 1]. Which pairs there are:
 // - thread on body: node on triangle, segment on edge; sphere's point on segment; node on plane;
-// - thread on thread (if asked for): segment on segment, without neighbours along the net;
+// - thread on thread (if asked for): segment on segment, without neighbours along the net; their
+//   boxes are swept by the motion beyond the mean one of all nodes, which changes no distance;
 // - body on body: point on point, edge, triangle or plane, edge on edge; not two fixed bodies.
 // The boxes against a body stand in its axes, where its primitives' tree is built once.
 //
@@ -47,12 +48,12 @@ class BroadPhase {
   template <class Call>
   void each(std::size_t count, Call&& call);
 
-  Box segment_box(Index segment) const;
+  Box segment_box(Index segment, const Vec3& drift) const;
   Box body_box(Index body) const;
   PointMotion node(Index k) const;
   PointMotion point(Index body, Index k) const;
 
-  void net_on_net();
+  void net_on_net(double margin);
   void nodes_on_body(Index body, double margin);
   void segments_on_body(Index body, double margin);
   void net_on_plane(Index body, double margin);
@@ -70,8 +71,9 @@ class BroadPhase {
   const std::vector<BodyTwist>* twists_ = nullptr;
 
   BoxTree net_tree_;
-  std::vector<Box> boxes_;    // of segments, in world axes
-  std::vector<Found> parts_;  // what each range of a loop found
+  std::vector<Box> boxes_;     // of segments, in world axes
+  std::vector<Box> drifting_;  // the same without the mean motion
+  std::vector<Found> parts_;   // what each range of a loop found
   std::size_t used_parts_ = 0;
   Found pairs_;
 };

@@ -23,7 +23,8 @@ Energies energies(const Simulation& simulation, const Vec3& g) {
   const State& state = simulation.state();
   return {kinetic_energy(network, simulation.bodies(), state), simulation.stretching_energy(),
           simulation.bending_energy(),
-          gravity_energy(network, falling_bodies(simulation), state, g)};
+          gravity_energy(network, falling_bodies(simulation), state, g),
+          simulation.contact_energy()};
 }
 
 void EnergyBalance::begin(const Simulation& simulation) {

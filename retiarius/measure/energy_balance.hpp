@@ -11,7 +11,8 @@ struct Energies {
   double stretching = 0.0;
   double bending = 0.0;
   double gravity = 0.0;
-  double sum() const { return kinetic + stretching + bending + gravity; }
+  double contact = 0.0;  // of the barriers
+  double sum() const { return kinetic + stretching + bending + gravity + contact; }
 };
 
 // Measured with the gravity g, m/s2.

@@ -78,6 +78,16 @@ const std::vector<HistoryColumn>& history_columns() {
        [](const Row& r) { return or_nan(r.capture_quality); }},
       {"step_size", "s", "length of the last step; 0 before the first",
        [](const Row& r) { return r.step_size; }},
+      {"contact_energy", "J", "energy of the barriers between surfaces in contact",
+       [](const Row& r) { return r.contact_energy; }},
+      {"contacts_face", "1", "barrier contacts of nodes with faces and planes",
+       [](const Row& r) { return static_cast<double>(r.contacts_face); }},
+      {"contacts_edge", "1", "barrier contacts of segments with edges, corners and balls",
+       [](const Row& r) { return static_cast<double>(r.contacts_edge); }},
+      {"contacts_thread", "1", "barrier contacts of threads with threads",
+       [](const Row& r) { return static_cast<double>(r.contacts_thread); }},
+      {"contacts_body", "1", "barrier contacts of bodies with bodies",
+       [](const Row& r) { return static_cast<double>(r.contacts_body); }},
   };
   return columns;
 }

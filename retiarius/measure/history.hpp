@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "retiarius/base/vec.hpp"
+#include "retiarius/measure/contact_load.hpp"
 #include "retiarius/state/state.hpp"
 
 namespace retiarius {
@@ -34,7 +35,10 @@ struct HistoryRow {
   std::optional<double> captured_share;     // of the first target; absent without one
   std::optional<double> capture_quality;    // index of the first target; absent without one
   double step_size = 0.0;                   // of the last step, s; 0 before the first
-  std::vector<ProbeValue> probes;           // in the mission's order
+  double contact_energy = 0.0;              // of barriers, J
+  Index contacts_face = 0, contacts_edge = 0, contacts_thread = 0, contacts_body = 0;
+  std::vector<ProbeValue> probes;  // in the mission's order
+  std::vector<BodyLoad> loads;     // of the targets
 };
 
 // A column of the history without the probes': name as in the file, unit, meaning, value.

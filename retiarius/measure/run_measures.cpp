@@ -168,6 +168,13 @@ HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {
   if (held.capture) r.captured_share = held.capture->share;
   r.capture_quality = held.quality;
   r.step_size = step_size_;
+  ContactLoad load = contact_load(simulation);
+  r.contact_energy = load.energy;
+  r.contacts_face = load.faces;
+  r.contacts_edge = load.edges;
+  r.contacts_thread = load.threads;
+  r.contacts_body = load.bodies;
+  r.loads = std::move(load.loads);
   for (const Index node : probe_nodes_) r.probes.push_back({state.x[node], state.support[node]});
   return r;
 }

@@ -143,6 +143,11 @@ void check_contact(const Mission& mission, const Places& places) {
     if (contact.self && contact.method != ContactMethod::barrier)
       fail(places, place("self"),
            "= true: threads touch each other only with contact.method = \"barrier\"");
+    for (std::size_t t = 0; t < mission.targets.size(); ++t) {
+      if (!mission.targets[t].friction || contact.method != ContactMethod::modified_mass) continue;
+      fail(places, target_path(places, t) + ".friction",
+           "is heeded by barriers only; use contact.friction, or contact.method = \"barrier\"");
+    }
     if (contact.method == ContactMethod::barrier &&
         mission.phases[i].integrator.method == Method::explicit_differences)
       fail(places, place("method"),

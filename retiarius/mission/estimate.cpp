@@ -41,6 +41,14 @@ double available_memory() {
   return bytes;
 }
 
+// Least time between frames, s.
+double frame_spacing(const Mission& mission) {
+  double spacing = mission.output.frame_interval;
+  if (!mission.output.every_step) return spacing;
+  for (const PhaseSpec& phase : mission.phases) spacing = std::min(spacing, phase.integrator.step);
+  return spacing;
+}
+
 }  // namespace
 
 Estimate estimate(const Mission& mission) {
@@ -52,7 +60,7 @@ Estimate estimate(const Mission& mission) {
   e.knots = counts.knots;
   e.memory = counts.nodes * bytes_per_node(counts.nodes);
   const double end = certain_end(mission);
-  if (end > 0.0) e.frames = std::floor(end / mission.output.frame_interval + 1e-9) + 1.0;
+  if (end > 0.0) e.frames = std::floor(end / frame_spacing(mission) + 1e-9) + 1.0;
   e.frame_bytes = e.frames * counts.nodes * kFrameBytesPerNode;
   return e;
 }

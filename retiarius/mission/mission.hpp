@@ -69,6 +69,7 @@ struct ProbeSpec {
 struct OutputSpec {
   double interval = 0.01;        // s, history; must be a multiple of the step
   double frame_interval = 0.05;  // s, frames; a multiple of interval
+  bool every_step = false;       // a frame of every accepted step as well
 };
 
 struct Mission {

@@ -295,6 +295,8 @@ void MissionLoop::advance(Phase& phase) {
 
 void MissionLoop::after_step(Phase& phase, const StepReport& step) {
   measures_.step(simulation_, step);
+  if (mission_.output.every_step && frames_.due(simulation_.state().time, true))
+    observer_.frame(make_frame(simulation_, phase_index_));
   check_strength();
   if (step.unsettled > 0 && !told_unsettled_) {
     told_unsettled_ = true;

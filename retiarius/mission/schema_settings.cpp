@@ -128,7 +128,10 @@ const Table<OutputSpec>& output_table() {
            .above(0),
        key("frame_interval", &OutputSpec::frame_interval, "s",
            "between frames; a multiple of interval")
-           .above(0)});
+           .above(0),
+       key("every_step", &OutputSpec::every_step, "",
+           "a frame of every accepted step as well, halved ones included: what check-contact looks "
+           "at")});
   return table;
 }
 

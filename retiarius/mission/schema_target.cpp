@@ -60,7 +60,12 @@ const Table<BodySpec>& target_table() {
        key("position", &BodySpec::position, "m", "of the mass centre; plane: of a point of it"),
        key("attitude_deg", &BodySpec::attitude_deg, "deg", "rotation vector from body to world"),
        key("velocity", &BodySpec::velocity, "m/s", "of the mass centre, at the start"),
-       key("spin_deg", &BodySpec::spin_deg, "deg/s", "about body axes, at the start")});
+       key("spin_deg", &BodySpec::spin_deg, "deg/s", "about body axes, at the start"),
+       key("friction", &BodySpec::friction, "",
+           "Coulomb's coefficient of its surface, with barriers; between two bodies the mean of "
+           "theirs")
+           .at_least(0)
+           .else_used("contact.friction")});
   return table;
 }
 

@@ -96,7 +96,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   problem_->bind_laws();
   response_.reset();
   barrier_.reset();
-  contacts_.clear();
+  // What touches goes on touching where the method stays.
+  if (contact.method != ContactMethod::barrier) contacts_.clear();
   explicit_contact_.reset();
   if (integrator.method == Method::explicit_differences) {
     if (!explicit_) {

@@ -91,8 +91,9 @@ class Simulation {
   // Of barrier contact at the end of the last step, in the order of their pairs.
   const std::vector<PairContact>& contacts() const { return contacts_; }
   double contact_energy() const;  // of the barriers, J
+  bool has_barriers() const { return barrier_ != nullptr; }
   const LinearSolver& solver() const { return problem_->solver(); }
-  const WorkTimes& work_times() const { return problem_->work_times(); }
+  WorkTimes work_times() const { return problem_->work_times(); }
 
  private:
   void add_law(std::unique_ptr<Law> law);

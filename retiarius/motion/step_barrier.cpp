@@ -1,6 +1,7 @@
 // What barrier contact adds to the problem of a step.
 #include <algorithm>
 
+#include "retiarius/base/stopwatch.hpp"
 #include "retiarius/motion/step_problem.hpp"
 
 namespace retiarius {
@@ -25,7 +26,14 @@ void StepProblem::find_end(End& end) const {
   for (std::size_t b = 0; b < b_.size(); ++b) end.turns[b] = step.reach * b_[b].tail<3>();
 }
 
+WorkTimes StepProblem::work_times() const {
+  WorkTimes times = times_;
+  if (start_.barrier) times.search = start_.barrier->search_time();
+  return times;
+}
+
 double StepProblem::add_barrier(Assembly& out) {
+  const Stopwatch watch(times_.contact);
   const double reach = start_.step->reach;
   find_end(end_);
   ContactAssembly sums;
@@ -96,6 +104,7 @@ void StepProblem::free_guess() {
 
 double StepProblem::free_share() {
   if (!start_.barrier) return 1.0;
+  const Stopwatch watch(times_.contact);
   find_end(end_);
   move(1.0);
   find_end(other_end_);
@@ -111,6 +120,7 @@ std::vector<PairContact> StepProblem::barrier_contacts() {
 
 std::string StepProblem::blocked_motion() {
   if (!start_.barrier) return {};
+  const Stopwatch watch(times_.contact);
   find_end(end_);
   const State& start = *start_.step->start;
   const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());

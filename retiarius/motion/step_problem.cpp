@@ -1,30 +1,11 @@
 #include "retiarius/motion/step_problem.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "retiarius/base/stopwatch.hpp"
+
 namespace retiarius {
-
-namespace {
-
-// Adds the time of its own life to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() {
-    const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - start_;
-    sum_ += lived.count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
 
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
                          std::vector<std::unique_ptr<Law>>& laws,
@@ -154,6 +135,7 @@ double StepProblem::potential() {
   }
   for (const auto& law : *laws_) value += law->potential(step, y_);
   if (start_.barrier) {
+    const Stopwatch contact(times_.contact);
     find_end(end_);
     value += start_.barrier->evaluate(end_.places(), nullptr) / step.reach;
   }

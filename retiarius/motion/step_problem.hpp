@@ -24,6 +24,8 @@ struct WorkTimes {
   double assembly = 0.0;  // potential, gradient and Hessian
   double factor = 0.0;    // borders and constraints included
   double solve = 0.0;
+  double contact = 0.0;  // all of barrier contact
+  double search = 0.0;   // of this, for what may touch
 };
 
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
@@ -86,7 +88,8 @@ class StepProblem final : public NewtonProblem {
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *solver_; }
-  const WorkTimes& work_times() const { return times_; }
+  // Of these the search is part of contact, and contact forces are part of assembly.
+  WorkTimes work_times() const;
   // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
   // stay where they are.
   void filter(std::vector<Vec3>& x) const;

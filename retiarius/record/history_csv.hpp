@@ -10,8 +10,9 @@
 
 namespace retiarius {
 
-// Names of all columns of a mission's history: history_columns(), then six for each probe.
-std::vector<std::string> history_header(const std::vector<ProbeSpec>& probes);
+// Names of all columns of a mission's history: history_columns(), then six for each probe
+// and five for each target.
+std::vector<std::string> history_header(const Mission& mission);
 
 // Values of one row in the order of history_header; NaN where absent.
 std::vector<double> history_values(const HistoryRow& row);

@@ -153,6 +153,14 @@ std::vector<double> RunFile::mass() const {
   return impl_->guarded([&] { return read_all<double>(impl_->id(), "net/mass"); });
 }
 
+std::vector<double> RunFile::segment_radius() const {
+  return impl_->guarded([&] { return read_all<double>(impl_->id(), "net/segment_radius"); });
+}
+
+std::vector<double> RunFile::rest_length() const {
+  return impl_->guarded([&] { return read_all<double>(impl_->id(), "net/rest_length"); });
+}
+
 std::vector<Ball> RunFile::balls() const {
   std::vector<Index> nodes = bullets();
   if (nodes.empty()) nodes = corners();

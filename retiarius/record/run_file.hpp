@@ -29,8 +29,10 @@ class RunFile {
   NetDrawing net() const;
   std::vector<Index> corners() const;
   std::vector<Index> perimeter() const;
-  std::vector<Index> bullets() const;  // nodes of the corner masses; empty: not recorded
-  std::vector<double> mass() const;    // of each node, kg
+  std::vector<Index> bullets() const;          // nodes of the corner masses; empty: not recorded
+  std::vector<double> mass() const;            // of each node, kg
+  std::vector<double> segment_radius() const;  // m
+  std::vector<double> rest_length() const;     // of each segment, m
   // The corner masses that weigh more than twice the usual node.
   std::vector<Ball> balls() const;
   std::vector<BodyDrawing> bodies() const;

@@ -118,7 +118,7 @@ class RunH5::File {
     h5::write_text(mission.id(), "resolved", resolved);
     write_net(file_.id(), *model.network);
     write_bodies(file_.id(), model);
-    create_history(model.mission->probes);
+    create_history(*model.mission);
     create_frames(model.network->design.size(), model.network->segments.size());
     h5::checked(H5Fstart_swmr_write(file_.id()));
   }
@@ -166,9 +166,9 @@ class RunH5::File {
   }
 
  private:
-  void create_history(const std::vector<ProbeSpec>& probes) {
+  void create_history(const Mission& mission) {
     const h5::Handle group = h5::make_group(file_.id(), "history");
-    const std::vector<std::string> names = history_header(probes);
+    const std::vector<std::string> names = history_header(mission);
     h5::write_text(group.id(), "columns", fmt::format("{}", fmt::join(names, ",")));
     for (const std::string& name : names) {
       const std::size_t k = columns_.size();
@@ -177,6 +177,8 @@ class RunH5::File {
       if (k < history_columns().size()) {
         const HistoryColumn& column = history_columns()[k];
         describe(columns_[k].id(), column.unit.c_str(), column.meaning.c_str());
+      } else if (k >= history_columns().size() + 6 * mission.probes.size()) {
+        describe(columns_[k].id(), "N", "force of contact on the target");
       } else {
         const bool force = name[name.size() - 2] == 'f';
         describe(columns_[k].id(), force ? "N" : "m",

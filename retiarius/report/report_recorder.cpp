@@ -80,7 +80,7 @@ void ReportRecorder::begin(const RunModel& model) {
   data_.title = model.mission->title;
   data_.seed = model.mission->seed;
   data_.start_report = model.start_report;
-  data_.columns = history_header(model.mission->probes);
+  data_.columns = history_header(*model.mission);
   data_.scene =
       make_scene(net_drawing(*model.network), model.network->perimeter, body_drawings(model));
 }

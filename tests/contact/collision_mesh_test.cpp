@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "retiarius/contact/around_revolved.hpp"
-#include "tests/bodies/sample_meshes.hpp"
 
 namespace retiarius {
 namespace {

@@ -34,9 +34,10 @@ Lines members(const CornerMassSpec& spec) {
   return {"mass", "bridle", "bridle_segments"};
 }
 Lines members(const BodySpec& spec) {
-  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = spec;
-  return {"name",    "shape",   "radius", "length",   "size",         "file",     "scale",   "mass",
-          "density", "inertia", "motion", "position", "attitude_deg", "velocity", "spin_deg"};
+  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = spec;
+  return {"name",         "shape",    "radius",   "length",  "size",   "file",
+          "scale",        "mass",     "density",  "inertia", "motion", "position",
+          "attitude_deg", "velocity", "spin_deg", "friction"};
 }
 Lines members(const EnvironmentSpec& spec) {
   [[maybe_unused]] const auto& [gravity, damping] = spec;
@@ -51,8 +52,8 @@ Lines members(const IntegratorSpec& spec) {
 Lines members(const ContactSpec& spec) {
   [[maybe_unused]] const auto& [method, friction, self, thread_friction, gap, stick_speed,
                                 friction_rounds, friction_tolerance] = spec;
-  return {"method", "friction",    "self",            "thread_friction",
-          "gap",    "stick_speed", "friction_rounds", "friction_tolerance"};
+  return {"method",          "friction",          "self", "thread_friction", "gap", "stick_speed",
+          "friction_rounds", "friction_tolerance"};
 }
 Lines members(const PhaseSpec& spec) {
   [[maybe_unused]] const auto& [kind, name, fix, until, move, speed, half_angle_deg, delay, axis,
@@ -70,8 +71,8 @@ Lines members(const ProbeSpec& spec) {
   return {"name", "node"};
 }
 Lines members(const OutputSpec& spec) {
-  [[maybe_unused]] const auto& [interval, frame_interval] = spec;
-  return {"interval", "frame_interval"};
+  [[maybe_unused]] const auto& [interval, frame_interval, every_step] = spec;
+  return {"interval", "frame_interval", "every_step"};
 }
 Lines members(const Mission& spec) {
   [[maybe_unused]] const auto& [title, seed, net, targets, environment, integrator, contact, phases,

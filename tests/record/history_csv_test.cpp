@@ -43,7 +43,8 @@ TEST(HistoryColumns, HaveTheNamesThatScriptsRelyOn) {
             "environment_loss, friction_loss, impact_loss, integrator_loss, prescribed_work, "
             "momentum_x, momentum_y, momentum_z, angular_momentum_x, angular_momentum_y, "
             "angular_momentum_z, peak_tension, peak_strain, contacts, smallest_distance, "
-            "newton_iterations, captured_share, capture_quality, step_size");
+            "newton_iterations, captured_share, capture_quality, step_size, contact_energy, "
+            "contacts_face, contacts_edge, contacts_thread, contacts_body");
 }
 
 // A row whose every member differs shows that each column reads its own.
@@ -69,8 +70,13 @@ TEST(HistoryColumns, ReadTheirOwnMembers) {
   row.captured_share = 28;
   row.capture_quality = 29;
   row.step_size = 30;
+  row.contact_energy = 31;
+  row.contacts_face = 32;
+  row.contacts_edge = 33;
+  row.contacts_thread = 34;
+  row.contacts_body = 35;
   const std::vector<double> values = history_values(row);
-  ASSERT_EQ(values.size(), 31u);
+  ASSERT_EQ(values.size(), 36u);
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values[k], static_cast<double>(k));
 }
 
@@ -92,8 +98,8 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   ASSERT_EQ(lines.size(), 6u);
   EXPECT_THAT(lines[0], StartsWith("time,step,phase,mouth_area,"));
   const auto names = cells_of(lines[0]);
-  EXPECT_EQ(names.size(), 31u + 12u);
-  EXPECT_EQ(names[31], "center.x");
+  EXPECT_EQ(names.size(), 36u + 12u);
+  EXPECT_EQ(names[36], "center.x");
   EXPECT_EQ(names.back(), "corner0.fz");
   const auto first = cells_of(lines[1]);
   const auto last = cells_of(lines[5]);
@@ -102,7 +108,7 @@ TEST(HistoryCsv, HasAHeaderAndOneRowPerOutputTimeWhileTheRunGoesOn) {
   EXPECT_EQ(first[26], "");  // no distance yet
   EXPECT_EQ(std::strtod(last[0].c_str(), nullptr), 0.1 * 4);
   EXPECT_EQ(std::strtod(last[26].c_str(), nullptr), *run.row(0.1 * 4).smallest_distance);
-  EXPECT_EQ(std::strtod(last[32].c_str(), nullptr), 1.0 / 3.0);
+  EXPECT_EQ(std::strtod(last[37].c_str(), nullptr), 1.0 / 3.0);
   EXPECT_EQ(last.back(), "2.5");
 }
 

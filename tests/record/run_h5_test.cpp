@@ -39,7 +39,7 @@ TEST(RunH5, HoldsHistoryAndFramesAsTheyWere) {
   record(folder.path(), run, 600);
   const RunFile file(folder / "run.h5");
   EXPECT_EQ(file.resolved(), "title = \"Sample\"\n");
-  EXPECT_EQ(file.history_names(), history_header(run.mission.probes));
+  EXPECT_EQ(file.history_names(), history_header(run.mission));
   const auto time = file.history("time");
   ASSERT_EQ(time.size(), 600u);
   EXPECT_EQ(time[599], 0.1 * 599);
