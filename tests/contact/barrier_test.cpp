@@ -323,6 +323,19 @@ TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {
   EXPECT_GT(values.maxCoeff(), 0.0);
 }
 
+// It lacks the negative curvature of pairs alone: without that part nothing keeps Newton's steps
+// from sliding along one contact into the next.
+TEST(BarrierScene, DefiniteHessianLacksNothingButNegativeCurvature) {
+  Scene scene(0.0);
+  const Eigen::VectorXd u = displacement(scene, 2e-5);
+  const Eigen::MatrixXd full = scene.evaluate(u, true, false).hessian.topLeftCorner(60, 60);
+  const Eigen::MatrixXd definite = scene.evaluate(u, true, true).hessian.topLeftCorner(60, 60);
+  const Eigen::VectorXd added =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(definite - full).eigenvalues();
+  EXPECT_GT(added.minCoeff(), -1e-10 * definite.norm());
+  EXPECT_GT(added.maxCoeff(), 1e-6 * definite.norm());
+}
+
 // Friction of a round acts on threads that have parted since: they stay coupled.
 TEST(BarrierScene, CouplesThreadsThatFrictionJoinsThoughTheyParted) {
   using Pairs = std::vector<std::pair<Index, Index>>;
