@@ -39,20 +39,18 @@ GRID = (X, Y, Z)
 
 def is_solid(cell):
     """The middle column is the bus, the sunward outer cells are the panels."""
-    i, j, k = cell
-    inside = 0 <= i < len(X) - 1 and 0 <= j < len(Y) - 1 and 0 <= k < len(Z) - 1
-    return inside and (i == 1 or j == 1)
+    i, j, _ = cell
+    return i == 1 or j == 1
 
 
-def faces():
+def faces(grid, is_solid):
     """Squares between a solid and an empty cell, counter-clockwise seen from outside."""
-    for cell in product(*(range(len(axis) - 1) for axis in GRID)):
-        if not is_solid(cell):
-            continue
+    cells = set(filter(is_solid, product(*(range(len(axis) - 1) for axis in grid))))
+    for cell in sorted(cells):
         for axis, side in product(range(3), (0, 1)):
             beyond = list(cell)
             beyond[axis] += 1 if side else -1
-            if is_solid(beyond):
+            if tuple(beyond) in cells:
                 continue
             u, v = (axis + 1) % 3, (axis + 2) % 3
             square = []
@@ -65,16 +63,21 @@ def faces():
             yield square if side else square[::-1]
 
 
-def main():
-    squares = list(faces())
+def write(out, grid, is_solid):
+    """The surface of the solid cells as OBJ: vertices, then two triangles a square."""
+    squares = list(faces(grid, is_solid))
     corners = sorted({corner for square in squares for corner in square})
     number = {corner: index + 1 for index, corner in enumerate(corners)}
-    out = sys.stdout
-    out.write(HEADER)
-    for i, j, k in corners:
-        out.write(f"v {X[i]:.3f} {Y[j]:.3f} {Z[k]:.3f}\n")
+    for corner in corners:
+        x, y, z = (axis[index] for axis, index in zip(grid, corner))
+        out.write(f"v {x:.3f} {y:.3f} {z:.3f}\n")
     for a, b, c, d in ([number[corner] for corner in square] for square in squares):
         out.write(f"f {a} {b} {c}\nf {a} {c} {d}\n")
+
+
+def main():
+    sys.stdout.write(HEADER)
+    write(sys.stdout, GRID, is_solid)
 
 
 if __name__ == "__main__":

@@ -170,15 +170,23 @@ bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPla
 std::vector<std::pair<Index, Index>> BarrierContact::couplings(const ContactPlaces& at,
                                                                double reach) const {
   std::vector<std::pair<Index, Index>> result;
-  for (const ContactPair& pair : broad_->pairs()) {
-    if (pair.first_owner != kNet || pair.second_owner != kNet) continue;
-    const PairPositions p = scene_.positions(pair, *at.nodes, *at.bodies);
-    if (distance(pair.kind, p).value - scene_.thickness(pair) >= reach * range_) continue;
+  const auto couple = [&](const ContactPair& pair) {
     const std::array<PointPlace, 4> places = scene_.places(pair);
     for (int i = 0; i < 2; ++i)
       for (int j = 2; j < 4; ++j)
         result.emplace_back(std::minmax(places[i].point, places[j].point));
+  };
+  const auto of_threads = [](const ContactPair& pair) {
+    return pair.first_owner == kNet && pair.second_owner == kNet;
+  };
+  for (const ContactPair& pair : broad_->pairs()) {
+    if (!of_threads(pair)) continue;
+    const PairPositions p = scene_.positions(pair, *at.nodes, *at.bodies);
+    if (distance(pair.kind, p).value - scene_.thickness(pair) < reach * range_) couple(pair);
   }
+  // Friction acts for the whole round, however far the two have parted since.
+  for (const Sliding& s : sliding_)
+    if (of_threads(s.pair)) couple(s.pair);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

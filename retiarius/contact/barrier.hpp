@@ -101,8 +101,8 @@ class BarrierContact {
   // By how much forces may be wrong for rounding of the places, N, at the last evaluation.
   double force_round_off() const { return force_round_off_; }
 
-  // The pairs of nodes (smaller first, ascending, unique) that threads in contact couple at a
-  // place, those included whose gap is below `reach` times the range.
+  // The pairs of nodes (smaller first, ascending, unique) that threads couple at a place whose gap
+  // is below `reach` times the range, or that friction joins in this round.
   std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
 
   // Whether friction must be solved again with the normal forces of this place.

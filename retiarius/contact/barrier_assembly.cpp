@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/barrier.hpp"
 #include "retiarius/contact/barrier_function.hpp"
@@ -22,6 +24,15 @@ Mat3 left_jacobian(const Vec3& v) {
   }
   const Mat3 s = skew(v);
   return Mat3::Identity() + a * s + b * s * s;
+}
+
+// The nearest matrix without negative eigenvalues. What is left of the distance's own curvature
+// keeps Newton's steps from sliding along a contact into another: where edges are nearly parallel
+// the distance falls with the square of such a slide, steeply.
+void drop_negative_curvature(Mat12& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Mat12> parts(hessian);
+  hessian = parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).asDiagonal() *
+            parts.eigenvectors().transpose();
 }
 
 }  // namespace
@@ -114,14 +125,13 @@ double BarrierContact::add_barrier(const ContactPair& pair, const ContactPlaces&
   if (out->hessian) {
     const Vec12 dd = distance_gradient(near.distance);
     hessian.noalias() = (m * near.curvature) * dd * dd.transpose();
-    if (!out->definite) {
-      hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
-      if (near.edges && m < 1.0) {
-        const Mat12 cross = near.weight.gradient * dd.transpose();
-        const double b = near.stiffness * barrier(near.gap, range_).value;
-        hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
-      }
+    hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
+    if (near.edges && m < 1.0) {
+      const Mat12 cross = near.weight.gradient * dd.transpose();
+      const double b = near.stiffness * barrier(near.gap, range_).value;
+      hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
     }
+    if (out->definite) drop_negative_curvature(hessian);
   }
   scatter(near.places, point_count(pair.kind), near.gradient, out->hessian ? &hessian : nullptr, at,
           *out);

@@ -1,0 +1,384 @@
+// The barrier's potential: its scalar functions, and all derivatives against finite differences.
+#include "retiarius/contact/barrier.hpp"
+
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "retiarius/base/error.hpp"
+#include "retiarius/contact/barrier_function.hpp"
+#include "retiarius/motion/integrator.hpp"
+#include "tests/contact/scene.hpp"
+
+namespace retiarius {
+namespace {
+
+using namespace retiarius::testing;
+
+TEST(Barrier, HasTheDerivativesItStates) {
+  const double range = 2e-4;
+  for (double share : {0.01, 0.1, 0.3, 0.7, 0.95, 0.999}) {
+    const double g = share * range, e = 1e-5 * std::min(g, range - g);
+    const Jet at = barrier(g, range), up = barrier(g + e, range), down = barrier(g - e, range);
+    EXPECT_NEAR((up.value - down.value) / (2 * e), at.first, 1e-7 * std::abs(at.first));
+    EXPECT_NEAR((up.first - down.first) / (2 * e), at.second, 1e-7 * at.second) << share;
+    EXPECT_GT(at.value, 0.0);
+    EXPECT_LT(at.first, 0.0);
+    EXPECT_GT(at.second, 0.0);
+  }
+}
+
+TEST(Barrier, BeginsSmoothlyAtItsRangeAndIsInfiniteAtContact) {
+  const Jet end = barrier(1.0 - 1e-9, 1.0);
+  EXPECT_NEAR(end.value, 0.0, 1e-25);
+  EXPECT_NEAR(end.first, 0.0, 1e-17);
+  EXPECT_NEAR(end.second, 0.0, 1e-8);
+  EXPECT_EQ(barrier(1.0, 1.0).value, 0.0);
+  EXPECT_EQ(barrier(0.0, 1.0).value, kInfinity);
+  EXPECT_EQ(barrier(-0.1, 1.0).value, kInfinity);
+  EXPECT_EQ(barrier(std::numeric_limits<double>::quiet_NaN(), 1.0).value, kInfinity);
+}
+
+TEST(SmoothSlip, HasTheDerivativesItStatesAndCoulombsLimit) {
+  const double s = 1e-5;
+  for (double u : {0.01 * s, 0.5 * s, 0.99 * s, 1.01 * s, 20.0 * s}) {
+    const double e = 1e-6 * u;
+    const SlipJet at = smooth_slip(u, s), up = smooth_slip(u + e, s), down = smooth_slip(u - e, s);
+    EXPECT_NEAR((up.value - down.value) / (2 * e), at.first, 1e-8);
+    EXPECT_NEAR((up.first - down.first) / (2 * e), at.second, 1e-6 / s);
+    EXPECT_NEAR(at.over, at.first / u, 1e-12 / s);
+  }
+  EXPECT_EQ(smooth_slip(0.0, s).first, 0.0);
+  EXPECT_EQ(smooth_slip(0.0, s).over, 2.0 / s);
+  EXPECT_EQ(smooth_slip(s, s).first, 1.0);
+}
+
+// Threads near a plane, a free sphere, box and capsule, and near each other; boxes near each other
+// and near the plane: every pair kind at about half of the barrier's range.
+class Scene {
+ public:
+  static constexpr double kRange = 2e-3;
+
+  explicit Scene(double friction) : spec_(barriers(friction)) {
+    spec_.gap = kRange;
+    spec_.self = true;
+    spec_.thread_friction = friction;
+    spec_.stick_speed = 1e-2;  // full friction from 1e-4 m on
+    add_bodies();
+    add_threads();
+    state_ = initial_state(net_, bodies_);
+    step_.start = &state_;
+    step_.h = 1e-2;
+    for (std::size_t i = 0; i < net_.mass.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        pattern_.couple(static_cast<Index>(i), static_cast<Index>(j));
+    pattern_.finish();
+    contact_.emplace(net_, bodies_, spec_, step_.h);
+    contact_->begin(step_);
+  }
+
+  Eigen::Index unknowns() const {
+    return static_cast<Eigen::Index>(3 * net_.mass.size() + 6 * bodies_.size());
+  }
+
+  struct Result {
+    double value = 0.0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+  };
+
+  // Everything displaced by u: nodes, then each body's translation and rotation vector.
+  Result evaluate(const Eigen::VectorXd& u, bool hessian = false, bool definite = false) {
+    const std::size_t n = net_.mass.size(), count = bodies_.size();
+    std::vector<Vec3> x = state_.x, turns(count);
+    std::vector<BodyState> poses = state_.bodies;
+    for (std::size_t i = 0; i < n; ++i) x[i] += u.segment<3>(at(i));
+    for (std::size_t b = 0; b < count; ++b) {
+      turns[b] = u.segment<3>(body_at(b) + 3);
+      poses[b] = displaced(poses[b], u.segment<3>(body_at(b)), turns[b]);
+    }
+    std::vector<Vec3> gradient(n, Vec3::Zero());
+    std::vector<Vec6> body_gradient(count, Vec6::Zero());
+    BlockMatrix matrix;
+    matrix.reset(pattern_);
+    std::vector<ContactAssembly::NodeBody> node_body;
+    std::vector<ContactAssembly::BodyBody> body_body;
+    ContactAssembly out;
+    out.gradient = &gradient;
+    out.body_gradient = &body_gradient;
+    out.definite = definite;
+    if (hessian) {
+      out.hessian = &matrix;
+      out.node_body = &node_body;
+      out.body_body = &body_body;
+    }
+    Result result;
+    result.value = contact_->evaluate({&x, &poses, &turns}, &out);
+    EXPECT_EQ(result.value, contact_->evaluate({&x, &poses, &turns}, nullptr));
+    result.gradient = Eigen::VectorXd::Zero(unknowns());
+    for (std::size_t i = 0; i < n; ++i) result.gradient.segment<3>(at(i)) = gradient[i];
+    for (std::size_t b = 0; b < count; ++b)
+      result.gradient.segment<6>(body_at(b)) = body_gradient[b];
+    if (hessian) result.hessian = dense(matrix, node_body, body_body);
+    return result;
+  }
+
+  // With nodes 14 and 15, the upper of the crossed threads, higher by so much, m.
+  std::vector<std::pair<Index, Index>> couplings_with_raised(double height) {
+    std::vector<Vec3> x = state_.x;
+    for (std::size_t i : {14u, 15u}) x[i].z() += height;
+    const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
+    return contact_->couplings({&x, &state_.bodies, &turns}, 1.0);
+  }
+  std::vector<PairContact> contacts() {
+    const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
+    return contact_->contacts({&state_.x, &state_.bodies, &turns});
+  }
+  bool is_fixed(Eigen::Index unknown) const {
+    const auto first = static_cast<Eigen::Index>(3 * net_.mass.size());
+    return unknown >= first && bodies_[static_cast<std::size_t>((unknown - first) / 6)].fixed;
+  }
+
+ private:
+  static Eigen::Index at(std::size_t node) { return static_cast<Eigen::Index>(3 * node); }
+  Eigen::Index body_at(std::size_t body) const {
+    return static_cast<Eigen::Index>(3 * net_.mass.size() + 6 * body);
+  }
+
+  void add_bodies() {
+    bodies_ = {fixed_plane(), sphere(0.1, 2.0, {1, 0, 0.5}),
+               box({0.2, 0.3, 0.1}, 3.0, {2, 0, 0.05 + 0.5 * kRange})};
+    bodies_.push_back(box({0.1, 0.1, 0.1}, 1.0, {2.02, 0.01, 0.15 + 1.0 * kRange}));
+    BodySpec capsule;
+    capsule.shape = ShapeKind::capsule;
+    capsule.radius = 0.05;
+    capsule.length = 0.2;
+    capsule.mass = 1.5;
+    capsule.position = {3, 0, 0.5};
+    bodies_.push_back(build_body(capsule, ""));
+  }
+
+  void add_threads() {
+    const double off = kRadius + 0.5 * kRange;
+    net_.materials = {thread_material(100.0, 1e-2, kRadius)};
+    add({{0.0, 0, off}, {0.1, 0.01, off + 2e-4}});                // on the plane
+    add({{0.96, -0.1, 0.6 + off}, {1.05, 0.12, 0.6 + off}});      // across the sphere
+    add({{1, 0.1 + off, 0.48}, {1, 0.2, 0.49}});                  // its end on the sphere
+    add({{2.1 + off, 0.0, 0.04}, {2.2, 0.0, 0.05}});              // its end on the box's face
+    const double diagonal = off / std::sqrt(2.0);                 // across the box's edge
+    add({{2.06 + diagonal, -0.02, 0.25 + diagonal}, {2.16 + diagonal, 0.03, 0.15 + diagonal}});
+    add({{2.95, 0.05 + off, 0.51}, {3.08, 0.05 + off, 0.48}});    // across the capsule
+    add({{5, -0.1, 0.5}, {5, 0.1, 0.51}});                        // two threads across each other
+    add({{4.93, 0.01, 0.506 + 2 * off - 0.5 * kRange}, {5.1, -0.02, 0.504 + 2 * off - 0.5 * kRange}});
+    add({{6, 0, 0.5}, {6.2, 0, 0.5}});                            // two nearly parallel ones
+    add({{6.01, 1e-3, 0.5 + off + kRadius}, {6.21, -1e-3, 0.5 + off + kRadius}});
+  }
+
+  void add(const std::vector<Vec3>& points) {
+    std::vector<Index> nodes;
+    for (const Vec3& p : points) {
+      nodes.push_back(net_.node_count());
+      net_.design.push_back(p);
+      net_.mass.push_back(1e-3);
+    }
+    net_.initial = net_.design;
+    net_.velocity.assign(net_.design.size(), Vec3::Zero());
+    add_thread(net_, nodes, {(points[1] - points[0]).norm()}, 0.0);
+  }
+
+  Eigen::MatrixXd dense(const BlockMatrix& matrix,
+                        const std::vector<ContactAssembly::NodeBody>& node_body,
+                        const std::vector<ContactAssembly::BodyBody>& body_body) const {
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(unknowns(), unknowns());
+    for (std::size_t i = 0; i < net_.mass.size(); ++i) {
+      h.block<3, 3>(at(i), at(i)) = matrix.diagonal[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        const Mat3& block = matrix.below[static_cast<std::size_t>(
+            pattern_.slot(static_cast<Index>(i), static_cast<Index>(j)))];
+        h.block<3, 3>(at(i), at(j)) = block;
+        h.block<3, 3>(at(j), at(i)) = block.transpose();
+      }
+    }
+    for (const auto& e : node_body) {
+      const Eigen::Index i = at(static_cast<std::size_t>(e.node));
+      const Eigen::Index b = body_at(static_cast<std::size_t>(e.body));
+      h.block<3, 6>(i, b) += e.block;
+      h.block<6, 3>(b, i) += e.block.transpose();
+    }
+    for (const auto& e : body_body) {
+      const Eigen::Index a = body_at(static_cast<std::size_t>(e.first));
+      const Eigen::Index b = body_at(static_cast<std::size_t>(e.second));
+      h.block<6, 6>(a, b) += e.block;
+      if (a != b) h.block<6, 6>(b, a) += e.block.transpose();
+    }
+    return h;
+  }
+
+  ContactSpec spec_;
+  std::vector<Body> bodies_;
+  Network net_;
+  State state_;
+  Step step_;
+  BlockPattern pattern_{20};
+  std::optional<BarrierContact> contact_;
+};
+
+// A displacement that slips everything by some slip, in [-1, 1] times `size`.
+Eigen::VectorXd displacement(const Scene& scene, double size) {
+  Eigen::VectorXd u(scene.unknowns());
+  for (Eigen::Index k = 0; k < u.size(); ++k)
+    u[k] = scene.is_fixed(k) ? 0.0 : size * std::sin(1.7 * static_cast<double>(k) + 0.3);
+  return u;
+}
+
+TEST(BarrierScene, HoldsEveryKindOfPair) {
+  Scene scene(0.3);
+  std::vector<int> kinds(5, 0);
+  int threads = 0, bodies = 0;
+  for (const PairContact& c : scene.contacts()) {
+    ++kinds[static_cast<std::size_t>(c.pair.kind)];
+    threads += c.pair.first_owner == kNet && c.pair.second_owner == kNet;
+    bodies += c.pair.first_owner != kNet && c.pair.second_owner != kNet;
+    EXPECT_GT(c.gap, 0.0);
+    EXPECT_LT(c.gap, Scene::kRange);
+  }
+  EXPECT_GT(kinds[static_cast<std::size_t>(PairKind::point_edge)], 0);
+  EXPECT_GT(kinds[static_cast<std::size_t>(PairKind::point_triangle)], 0);
+  EXPECT_GT(kinds[static_cast<std::size_t>(PairKind::edge_edge)], 0);
+  EXPECT_GT(kinds[static_cast<std::size_t>(PairKind::point_plane)], 0);
+  EXPECT_EQ(threads, 2);
+  EXPECT_GT(bodies, 4);
+}
+
+// Every contact is a pair of forces: no sum, no moment.
+TEST(BarrierScene, ForcesStandInExactPairs) {
+  Scene scene(0.3);
+  for (const PairContact& c : scene.contacts()) {
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    const bool plane = c.pair.kind == PairKind::point_plane;
+    if (plane) continue;  // the plane is fixed and has no points
+    double scale = 0.0;
+    for (int i = 0; i < point_count(c.pair.kind); ++i) {
+      sum += c.point_force[i];
+      moment += (c.place[i] - c.place[0]).cross(c.point_force[i]);
+      scale = std::max(scale, c.point_force[i].norm());
+    }
+    EXPECT_LT(sum.norm(), 1e-14 * scale);
+    EXPECT_LT(moment.norm(), 1e-14 * scale);
+  }
+}
+
+void expect_gradient(Scene& scene, const Eigen::VectorXd& u, double friction) {
+  const Scene::Result here = scene.evaluate(u);
+  const double e = 2e-8, scale = here.gradient.cwiseAbs().maxCoeff();
+  ASSERT_GT(scale, 0.0);
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    if (scene.is_fixed(k)) continue;
+    const Eigen::VectorXd d = e * Eigen::VectorXd::Unit(u.size(), k);
+    const double slope = (scene.evaluate(u + d).value - scene.evaluate(u - d).value) / (2 * e);
+    EXPECT_NEAR(here.gradient[k], slope, 1e-6 * scale) << k << " friction " << friction;
+  }
+}
+
+TEST(BarrierScene, GradientIsThatOfThePotential) {
+  for (double friction : {0.0, 0.3}) {
+    Scene scene(friction);
+    expect_gradient(scene, displacement(scene, 0.0), friction);
+    expect_gradient(scene, displacement(scene, 2e-5), friction);  // sticks
+    expect_gradient(scene, displacement(scene, 4e-4), friction);  // slips
+  }
+}
+
+// Bodies' second derivatives are wanted where they have not turned from their free motion. Those of
+// friction bend sharply at no slip, where finite differences do not show them.
+TEST(BarrierScene, HessianIsThatOfThePotential) {
+  for (double friction : {0.0, 0.3}) {
+    Scene scene(friction);
+    for (double size : {friction == 0.0 ? 0.0 : 5e-6, 2e-5, 4e-4}) {
+      Eigen::VectorXd u = displacement(scene, size);
+      for (Eigen::Index b = 0; b < 5; ++b) u.segment<3>(60 + 6 * b + 3).setZero();
+      const Scene::Result here = scene.evaluate(u, true);
+      const double e = 2e-8, scale = here.hessian.cwiseAbs().maxCoeff();
+      for (Eigen::Index k = 0; k < u.size(); ++k) {
+        if (scene.is_fixed(k)) continue;
+        const Eigen::VectorXd d = e * Eigen::VectorXd::Unit(u.size(), k);
+        const Eigen::VectorXd column =
+            (scene.evaluate(u + d).gradient - scene.evaluate(u - d).gradient) / (2 * e);
+        EXPECT_LT((here.hessian.col(k) - column).cwiseAbs().maxCoeff(), 2e-6 * scale)
+            << k << " friction " << friction << " size " << size;
+      }
+    }
+  }
+}
+
+TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {
+  Scene scene(0.3);
+  const Scene::Result here = scene.evaluate(displacement(scene, 4e-4), true, true);
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(here.hessian).eigenvalues();
+  EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());
+  EXPECT_GT(values.maxCoeff(), 0.0);
+}
+
+// It lacks the negative curvature of pairs alone: without that part nothing keeps Newton's steps
+// from sliding along one contact into the next.
+TEST(BarrierScene, DefiniteHessianLacksNothingButNegativeCurvature) {
+  Scene scene(0.0);
+  const Eigen::VectorXd u = displacement(scene, 2e-5);
+  const Eigen::MatrixXd full = scene.evaluate(u, true, false).hessian.topLeftCorner(60, 60);
+  const Eigen::MatrixXd definite = scene.evaluate(u, true, true).hessian.topLeftCorner(60, 60);
+  const Eigen::VectorXd added =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(definite - full).eigenvalues();
+  EXPECT_GT(added.minCoeff(), -1e-10 * definite.norm());
+  EXPECT_GT(added.maxCoeff(), 1e-6 * definite.norm());
+}
+
+// Friction of a round acts on threads that have parted since: they stay coupled.
+TEST(BarrierScene, CouplesThreadsThatFrictionJoinsThoughTheyParted) {
+  using Pairs = std::vector<std::pair<Index, Index>>;
+  for (double friction : {0.0, 0.3}) {
+    Scene scene(friction);
+    const Pairs crossed{{12, 14}, {12, 15}, {13, 14}, {13, 15}},
+        along{{16, 18}, {16, 19}, {17, 18}, {17, 19}};
+    Pairs both = crossed;
+    both.insert(both.end(), along.begin(), along.end());
+    EXPECT_EQ(scene.couplings_with_raised(0.0), both);
+    EXPECT_EQ(scene.couplings_with_raised(1.0), friction > 0.0 ? both : along);
+  }
+}
+
+std::string refusal(const Network& net, const std::vector<Body>& bodies, bool self) {
+  Simulation sim(net, bodies, initial_state(net, bodies));
+  ContactSpec contact = barriers();
+  contact.self = self;
+  sim.configure({}, with(Method::implicit_euler), contact);
+  try {
+    sim.advance(1e-3, {});
+  } catch (const RunError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(BarrierStart, RefusesWhatInterpenetratesByName) {
+  using ::testing::HasSubstr;
+  const std::string on_plane = refusal(two_masses({0, 0, 0.5 * kRadius}), {fixed_plane()}, false);
+  EXPECT_THAT(on_plane, HasSubstr("node 0"));
+  EXPECT_THAT(on_plane, HasSubstr("by 0.0005 m"));
+  EXPECT_THAT(on_plane, HasSubstr("plane"));
+  Network crossed = two_masses({0, 0, 0});
+  crossed.design.insert(crossed.design.end(), {Vec3(-0.1, 0, 0.001), Vec3(0.1, 0, 0.001)});
+  crossed.initial = crossed.design;
+  crossed.velocity.assign(4, Vec3::Zero());
+  crossed.mass.resize(4, 0.5);
+  add_thread(crossed, {2, 3}, {0.2}, 0.0);
+  EXPECT_THAT(refusal(crossed, {}, true),
+              HasSubstr("segment 0 (nodes 0 and 1) and segment 1 (nodes 2 and 3) by 0.001 m"));
+  EXPECT_EQ(refusal(crossed, {}, false), "");
+}
+
+}  // namespace
+}  // namespace retiarius
