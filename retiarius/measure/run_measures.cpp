@@ -5,6 +5,7 @@
 #include "retiarius/measure/capture.hpp"
 #include "retiarius/measure/energy.hpp"
 #include "retiarius/measure/mouth.hpp"
+#include "retiarius/state/transfer.hpp"
 
 namespace retiarius {
 
@@ -117,6 +118,13 @@ void RunMeasures::add_drift(const State& state) {
               linear_scale(*network_, *bodies_, state));
   angular_.add(angular_momentum(*network_, *bodies_, state, center_),
                angular_impulse(state.account), angular_scale(*network_, *bodies_, state));
+}
+
+// What the network and the bodies give is not among them.
+void RunMeasures::transfer(Archive& archive) {
+  archive(clearance_, closure_, balance_, window_, axis_, shot_corners_, prescribed_, readings_,
+          travel_, time_, nodes_, poses_, whole_, phase_, steps_, iterations_, substeps_,
+          step_size_, center_, linear_, angular_);
 }
 
 HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {

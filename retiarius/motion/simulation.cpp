@@ -309,6 +309,11 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
   }
 }
 
+void Simulation::resume(State state, std::vector<double> tensions) {
+  state_ = std::move(state);
+  tensions_ = std::move(tensions);
+}
+
 void Simulation::place(const std::vector<Vec3>& x) {
   forget_acceleration();
   state_.x = x;
