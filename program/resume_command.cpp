@@ -80,7 +80,7 @@ ExitCode go_on(const ResumeArguments& arguments, const fs::path& folder, const R
   if (report.outcome == Outcome::failed) tell_error(report.reason);
   if (!arguments.quiet) {
     print(outcome_text(mission, report));
-    print(fmt::format("\nreport: {}\n", (folder / "report.html").string()));
+    print(folder_text(report, folder));
   }
   return exit_code(report.outcome);
 }

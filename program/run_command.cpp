@@ -72,7 +72,7 @@ void tell_outcome(const RunArguments& arguments, const Mission& mission, const R
   if (report.outcome == Outcome::failed) tell_error(report.reason);
   if (arguments.quiet) return;
   print(outcome_text(mission, report));
-  print(fmt::format("\nreport: {}\n", (out / "report.html").string()));
+  print(folder_text(report, out));
 }
 
 std::unique_ptr<LiveServer> start_server(const RunArguments& arguments, const Mission& mission,

@@ -73,6 +73,23 @@ TEST(HistoryColumns, ReadTheirOwnMembers) {
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values[k], static_cast<double>(k));
 }
 
+TEST(HistoryRow, ComesBackFromItsValues) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < history_columns().size() + 2 * 6; ++k)
+    values.push_back(static_cast<double>(k));
+  EXPECT_EQ(history_values(history_row(values)), values);
+  EXPECT_EQ(history_row(values).probes.size(), 2u);
+
+  HistoryRow without_body;
+  const HistoryRow back = history_row(history_values(without_body));
+  EXPECT_FALSE(back.smallest_distance);
+  EXPECT_FALSE(back.captured_share);
+
+  values.pop_back();
+  EXPECT_EQ(testing::error_text<Error>([&] { history_row(values); }),
+            "a history row has too few values");
+}
+
 TEST(CsvLine, WritesShortestNumbersAndNothingForAbsentValues) {
   EXPECT_EQ(csv_line({0.1, std::nan(""), 1e-300, 3.0, -0.0}), "0.1,,1e-300,3,-0\n");
 }
