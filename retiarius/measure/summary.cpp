@@ -18,7 +18,8 @@ Measure measure(const char* name, const char* unit, const std::optional<Value>& 
 
 Measures RunMeasures::summary() const {
   std::optional<Capture> capture;
-  if (!bodies_->empty()) capture = measure_capture(bodies_->front(), poses_.front(), nodes_);
+  // A run that fails before its first step has seen no pose.
+  if (!poses_.empty()) capture = measure_capture(bodies_->front(), poses_.front(), nodes_);
   const bool closed = closure_.closed();
   std::optional<double> share;
   std::optional<bool> success;

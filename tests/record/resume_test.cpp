@@ -132,7 +132,7 @@ shape = "capsule"
 radius = 0.2
 length = 1.0
 motion = "fixed"
-position = [0.1, 0.0, -0.35]
+position = [0.1, 0.0, -0.9]
 
 [integrator]
 step = 0.005
@@ -307,7 +307,7 @@ TEST(RunMission, RefusesACheckpointOfAnotherMission) {
   EXPECT_THAT(error_text<InputError>([&] {
                 resume_in(folder / "broken", parse_mission(moved(), "m", ".", {"net.mesh=0.25"}));
               }),
-              HasSubstr("the saved state has 31 nodes"));
+              HasSubstr("the saved state has 55 nodes"));
   EXPECT_THAT(
       error_text<InputError>([&] { resume_in(folder / "broken", parse_mission(capture())); }),
       HasSubstr("resume"));
