@@ -49,6 +49,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", version_text,
                        "Print version, revision, build options and kernels");
   add_run_command(app, code);
+  add_resume_command(app, code);
   add_validate_command(app);
   add_new_command(app);
   add_info_command(app);

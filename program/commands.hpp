@@ -10,6 +10,7 @@ namespace retiarius::program {
 // The command writes to `code`, which must outlive the parsing, when it ends otherwise than well
 // without an exception.
 void add_run_command(CLI::App& app, ExitCode& code);
+void add_resume_command(CLI::App& app, ExitCode& code);
 void add_validate_command(CLI::App& app);
 void add_new_command(CLI::App& app);
 void add_info_command(CLI::App& app);

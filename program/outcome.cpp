@@ -80,6 +80,13 @@ std::string outcome_text(const Mission& mission, const RunReport& report) {
   return headline(mission, report) + pace(report) + phases(report) + measures(report);
 }
 
+std::string folder_text(const RunReport& report, const std::filesystem::path& folder) {
+  std::string text = fmt::format("\nreport: {}\n", (folder / "report.html").string());
+  if (report.outcome == Outcome::interrupted)
+    text += fmt::format("to go on: retiarius resume {}\n", folder.string());
+  return text;
+}
+
 ExitCode exit_code(Outcome outcome) {
   switch (outcome) {
     case Outcome::finished:

@@ -14,13 +14,14 @@
 #include "program/progress.hpp"
 #include "program/start_state.hpp"
 #include "retiarius/base/build_info.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "retiarius/mission/run.hpp"
 #include "retiarius/mission/writer.hpp"
 #include "retiarius/record/checkpoint.hpp"
 #include "retiarius/record/file.hpp"
+#include "retiarius/record/folder_lock.hpp"
 #include "retiarius/record/output_folder.hpp"
 #include "retiarius/report/run_recorders.hpp"
-#include "retiarius/base/instruction_set.hpp"
 
 namespace retiarius::program {
 
@@ -71,7 +72,7 @@ void tell_outcome(const RunArguments& arguments, const Mission& mission, const R
   if (report.outcome == Outcome::failed) tell_error(report.reason);
   if (arguments.quiet) return;
   print(outcome_text(mission, report));
-  print(fmt::format("\nreport: {}\n", (out / "report.html").string()));
+  print(folder_text(report, out));
 }
 
 std::unique_ptr<LiveServer> start_server(const RunArguments& arguments, const Mission& mission,
@@ -91,6 +92,7 @@ ExitCode run(const RunArguments& arguments) {
   const fs::path out = output_folder(arguments);
   OutputGuard guard(out);
   prepare_output_folder(out);
+  const FolderLock lock(out);
   const RunOptions options = run_options(arguments, mission);
   const MissionModel model(mission);
   check_run(mission, model, options);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "retiarius/base/error.hpp"
+
 namespace retiarius {
 
 namespace {
@@ -112,6 +114,18 @@ std::optional<double> Settling::value() const {
 std::optional<double> Settling::time() const {
   const auto found = settled();
   return found ? std::optional(samples_[found->second].first) : std::nullopt;
+}
+
+void Settling::transfer(Archive& archive) {
+  std::vector<double> times, values;
+  for (const auto& [time, value] : samples_) {
+    times.push_back(time);
+    values.push_back(value);
+  }
+  archive(times, values);
+  if (times.size() != values.size()) throw Error("as many times as values are needed");
+  samples_.clear();
+  for (std::size_t k = 0; k < times.size(); ++k) samples_.emplace_back(times[k], values[k]);
 }
 
 }  // namespace retiarius

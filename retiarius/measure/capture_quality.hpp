@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/measure/hull.hpp"
 
@@ -43,6 +44,9 @@ class Settling {
   void see(double time, double value);
   std::optional<double> value() const;
   std::optional<double> time() const;
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive);
 
  private:
   std::optional<std::pair<double, std::size_t>> settled() const;  // value, first sample within

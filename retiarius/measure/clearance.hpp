@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/state.hpp"
@@ -28,21 +29,28 @@ class Clearance {
   // Exact queries of the last call, for whoever watches the cost.
   long long queries() const { return queries_; }
 
+  // For checkpoints; see base/archive.hpp. Distances found by iteration depend in their last digits
+  // on which of them were asked for, hence on what is known.
+  void transfer(Archive& archive) { archive(memory_); }
+
  private:
   // Places (body axes) at which the exact distance of node or segment is known.
   struct KnownNode {
     Vec3 place = Vec3::Zero();
     double distance = -kInfinity;
+    void transfer(Archive& archive) { archive(place, distance); }
   };
   struct KnownSegment {
     Vec3 a = Vec3::Zero(), b = Vec3::Zero();
     double distance = -kInfinity;
+    void transfer(Archive& archive) { archive(a, b, distance); }
   };
   struct Memory {
     std::vector<KnownNode> nodes;
     std::vector<KnownSegment> segments;
     Index nearest_node = 0;         // where a new search starts
     Index nearest_segment = kNone;  // the same; none before the first
+    void transfer(Archive& archive) { archive(nodes, segments, nearest_node, nearest_segment); }
   };
 
   void approach(const Body& body, const BodyState& pose, const State& state, Memory& memory);

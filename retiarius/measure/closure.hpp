@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/measure/readings.hpp"
 
 namespace retiarius {
@@ -19,6 +20,9 @@ class Closure {
   void see(double time, const Readings& readings);
 
   bool closed() const;
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) { archive(now_, small_since_, free_since_); }
 
  private:
   double area_;   // m2

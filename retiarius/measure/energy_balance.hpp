@@ -2,6 +2,7 @@
 #pragma once
 
 #include "retiarius/motion/simulation.hpp"
+#include "retiarius/state/transfer.hpp"
 
 namespace retiarius {
 
@@ -34,6 +35,11 @@ class EnergyBalance {
   const Vec3& gravity() const { return gravity_; }
 
   double integrator_loss(const Energies& present, const Account& account) const;  // J
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) {
+    archive(start_, account_, gravity_, net_moment_, whole_moment_, moment_);
+  }
 
  private:
   void remember(const Simulation& simulation);

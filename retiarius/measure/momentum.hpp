@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/state.hpp"
@@ -34,6 +35,9 @@ class MomentumDrift {
   void add(const Vec3& momentum, const Vec3& impulse, double scale);
   // Absent where nothing ever moved.
   std::optional<double> value() const;
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) { archive(base_, largest_, scale_); }
 
  private:
   Vec3 base_ = Vec3::Zero();

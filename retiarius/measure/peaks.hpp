@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/measure/readings.hpp"
 
 namespace retiarius {
@@ -24,6 +25,12 @@ struct Peaks {
   // travel: mean displacement of the corners along the axis since the shot, m.
   void see_shape(double time, const Readings& readings, double travel);
   void see_step(double time, int newton_iterations, double peak_tension, bool touching);
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) {
+    archive(mouth_area, mouth_area_time, mouth_area_travel, tension, strain, first_contact,
+            smallest_distance, steps, iterations);
+  }
 };
 
 }  // namespace retiarius

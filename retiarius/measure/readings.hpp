@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/base/vec.hpp"
 #include "retiarius/net/network.hpp"
 
@@ -15,6 +16,12 @@ struct Readings {
   double perimeter_area = 0.0;     // of all perimeter nodes, projected along the axis, m2
   double peak_strain = 0.0;
   std::optional<double> smallest_distance;  // m, absent without bodies
+
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) {
+    archive(mouth_area, mouth_vector_area, mouth_width, perimeter_area, peak_strain,
+            smallest_distance);
+  }
 };
 
 // All but the distance, which Clearance measures. axis: unit.

@@ -4,6 +4,7 @@
 
 #include "retiarius/measure/energy.hpp"
 #include "retiarius/measure/mouth.hpp"
+#include "retiarius/state/transfer.hpp"
 
 namespace retiarius {
 
@@ -123,7 +124,8 @@ void RunMeasures::add_drift(const State& state) {
 
 RunMeasures::Wrapping RunMeasures::wrapping(const std::vector<Vec3>& nodes,
                                             const std::vector<BodyState>& poses) const {
-  if (bodies_->empty() || bodies_->front().kind == ShapeKind::plane) return {};
+  // A run that fails before its first step has seen no pose.
+  if (poses.empty() || bodies_->front().kind == ShapeKind::plane) return {};
   const std::optional<ConvexHull> hull = convex_hull(nodes);
   Wrapping held{measure_capture(bodies_->front(), poses.front(), nodes, hull), {}};
   if (quality_scale_)
@@ -134,6 +136,13 @@ RunMeasures::Wrapping RunMeasures::wrapping(const std::vector<Vec3>& nodes,
 
 void RunMeasures::keep(const HistoryRow& row) {
   if (row.capture_quality && touched()) quality_.see(row.time, *row.capture_quality);
+}
+
+// What the network and the bodies give is not among them.
+void RunMeasures::transfer(Archive& archive) {
+  archive(clearance_, quality_, closure_, balance_, window_, axis_, shot_corners_, prescribed_,
+          readings_, travel_, time_, nodes_, poses_, whole_, phase_, steps_, iterations_, substeps_,
+          step_size_, center_, linear_, angular_);
 }
 
 HistoryRow RunMeasures::row(const Simulation& simulation, Index phase) const {

@@ -62,6 +62,9 @@ class RunMeasures {
   // A thread touches or has touched a body.
   bool touched() const { return whole_.first_contact.has_value(); }
 
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive);
+
   // The measures of the whole run so far, wall_time excepted.
   Measures summary() const;
   // Those of the present phase alone.

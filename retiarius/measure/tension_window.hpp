@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
+
 namespace retiarius {
 
 // Snaps of a stiff thread last less than a step; what a thread or seam feels is their mean over a
@@ -25,10 +27,16 @@ class TensionWindow {
   // N; absent before the first step.
   std::optional<double> largest() const;
 
+  // For checkpoints; see base/archive.hpp.
+  void transfer(Archive& archive) {
+    archive(pieces_, integral_, length_, dropped_, largest_, full_);
+  }
+
  private:
   struct Piece {
     double h = 0.0;                // s
     std::vector<double> integral;  // of each segment's tension over the piece, N s
+    void transfer(Archive& archive) { archive(h, integral); }
   };
 
   void append(double h, const std::vector<double>& tension);

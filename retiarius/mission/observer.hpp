@@ -1,10 +1,12 @@
 // What a run tells while it goes on. The writers of record/ are observers; so may be users' own.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/measure/history.hpp"
 #include "retiarius/measure/measures.hpp"
@@ -23,6 +25,8 @@ struct RunModel {
   const Network* network = nullptr;
   const std::vector<Body>* bodies = nullptr;
   std::string start_report;  // what automatic choices were made, a line each
+  // The run goes on from a checkpoint: all up to there is told again first, then resumed().
+  bool resumed = false;
 };
 
 struct PhaseReport {
@@ -33,11 +37,23 @@ struct PhaseReport {
   Measures measures;
 };
 
+void transfer(Archive& archive, PhaseReport& report);  // see base/archive.hpp
+
 struct RunReport {
   Outcome outcome = Outcome::finished;
   std::string reason;  // empty when finished
   std::vector<PhaseReport> phases;
   Measures measures;  // of the whole run; wall_time among them
+};
+
+// What a run is resumed from: the state, and all else that steers what follows.
+struct Checkpoint {
+  State state;
+  std::int64_t rows = 0;    // of the history, told up to here
+  std::int64_t frames = 0;  // told up to here
+  bool ended = false;       // the run has come to its end: there is nothing to resume
+  bool fresh = true;        // the net started as designed, not from a saved state
+  std::string progress;     // of the mission; empty: the state is all that was saved
 };
 
 class Observer {
@@ -47,7 +63,12 @@ class Observer {
   virtual void begin(const RunModel&) {}
   virtual void history(const HistoryRow&) {}  // at output times
   virtual void frame(const Frame&) {}         // at frame times
-  virtual void checkpoint(const State&) {}  // at phase ends, at intervals of wall time, at the end
+  // At phases' starts, after each frame, where the run is stopped from outside, at the end, at
+  // intervals of wall time. `durable`: what was told so far is to outlive the machine, not only the
+  // process; at most one in a few seconds is.
+  virtual void save(const Checkpoint& saved, bool /*durable*/) { checkpoint(saved.state); }
+  virtual void checkpoint(const State&) {}  // the same, for those who look at the state alone
+  virtual void resumed() {}                 // see RunModel::resumed
   virtual void progress(const State&, Index /*phase*/, double /*phase_fraction*/) {}  // each step
   virtual void end(const RunReport&) {}
 };

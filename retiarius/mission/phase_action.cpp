@@ -39,6 +39,7 @@ class Fix final : public PhaseAction {
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       out.push_back({nodes_[k], places_[k], Vec3::Zero()});
   }
+  void transfer(Archive& archive) override { archive(places_); }
 
  private:
   std::vector<Index> nodes_;
@@ -71,6 +72,7 @@ class Move final : public PhaseAction {
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       out.push_back({nodes_[k], places_[k] + shift, velocity});
   }
+  void transfer(Archive& archive) override { archive(start_, places_); }
 
  private:
   std::vector<Index> nodes_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/measure/measures.hpp"
 #include "retiarius/mission/mission.hpp"
 #include "retiarius/motion/simulation.hpp"
@@ -27,6 +28,9 @@ class PhaseAction {
 
   // Whether it moves nodes at present (what is held still does not count).
   virtual bool moves() const { return false; }
+
+  // What begin() and act() found or decided, for checkpoints; see base/archive.hpp.
+  virtual void transfer(Archive&) {}
 
   // What the phase's report says of it.
   virtual Measures measures(const Simulation&) const { return {}; }

@@ -24,6 +24,8 @@ struct Path {
   double duration = 0.0;
   double pace = 0.0;  // of the share at the start, 1/s
 
+  void transfer(Archive& archive) { archive(arc, from, to, across, along, duration, pace); }
+
   double share(double t) const {
     const double s = t / duration;
     return s * s * (3.0 - 2.0 * s) + pace * duration * s * (1.0 - s) * (1.0 - s);
@@ -89,6 +91,8 @@ class Close final : public PhaseAction {
       out.push_back({bullets_[k], centre + path.place(t), target.velocity + path.velocity(t)});
     }
   }
+
+  void transfer(Archive& archive) override { archive(start_, longest_, released_, paths_); }
 
   Measures measures(const Simulation& sim) const override {
     double widest = 0.0;

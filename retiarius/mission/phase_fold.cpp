@@ -63,6 +63,8 @@ class Fold final : public PhaseAction {
     }
   }
 
+  void transfer(Archive& archive) override { archive(places_, center_, start_, first_sag_); }
+
   Measures measures(const Simulation& sim) const override {
     const Bundle bundle = measure_bundle(sim.network(), sim.state().x, frame_.axis);
     const std::vector<double> curvature = node_curvatures(sim.network(), sim.state().x);

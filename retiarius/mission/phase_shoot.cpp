@@ -62,6 +62,8 @@ class Shoot final : public PhaseAction {
     }
   }
 
+  void transfer(Archive& archive) override { archive(fired_, places_, start_); }
+
  private:
   std::vector<Index> bullets_;
   std::vector<Vec3> velocities_;

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/base/error.hpp"
 #include "retiarius/measure/frame.hpp"
 #include "retiarius/measure/run_measures.hpp"
-#include "retiarius/mission/phase_action.hpp"
+#include "retiarius/mission/beginning.hpp"
 #include "retiarius/mission/step_grid.hpp"
-#include "retiarius/mission/trigger.hpp"
 
 namespace retiarius {
 
@@ -19,92 +19,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Seconds of wall time between checkpoints within a phase.
+// Seconds of wall time: after which a checkpoint is due although no frame was, and between those
+// that reach the disk at once. What a resumed run computes does not depend on when they are made.
 constexpr double kCheckpointInterval = 30.0;
+constexpr double kDurableInterval = 2.0;
 
-struct Phase {
-  const PhaseSpec* spec = nullptr;
-  Trigger trigger;
-  std::vector<std::unique_ptr<PhaseAction>> actions;
-};
-
-// The first shot's axis, turned to a unit vector; without a shot the flat net's normal.
-Vec3 mission_axis(const Mission& mission, const Network& network) {
-  for (const PhaseSpec& phase : mission.phases)
-    if (phase.kind == PhaseKind::shoot) return phase.axis.normalized();
-  return network.normal;
-}
-
-std::vector<Index> probe_nodes(const Mission& mission, const Network& network) {
-  std::vector<Index> nodes;
-  for (const ProbeSpec& probe : mission.probes) {
-    const std::vector<Index> found = select_nodes(network, probe.node);
-    if (found.size() != 1)
-      throw InputError(probe.place, fmt::format("probe \"{}\": node = \"{}\" selects {} nodes; a "
-                                                "probe watches one",
-                                                probe.name, probe.node, found.size()));
-    nodes.push_back(found.front());
-  }
-  return nodes;
-}
-
-std::vector<Phase> make_phases(const Mission& mission, const MissionModel& model, bool fresh) {
-  MissionFrame frame;
-  frame.axis = mission_axis(mission, model.network);
-  if (!model.bodies.empty()) frame.target = 0;
-  frame.fresh = fresh;
-  std::vector<Phase> phases;
-  for (const PhaseSpec& spec : mission.phases) {
-    Phase phase;
-    phase.spec = &spec;
-    phase.trigger = Trigger::parse(spec.until, spec.place);
-    phase.actions = make_actions(spec, model.network, frame);
-    phases.push_back(std::move(phase));
-  }
-  return phases;
-}
-
-void check_same_net(const State& state, const Network& network, const char* what) {
-  if (state.x.size() == network.mass.size()) return;
-  throw InputError(
-      fmt::format("{}: the saved state has {} nodes, the mission's net {}; a state "
-                  "fits only the net that it was saved from",
-                  what, state.x.size(), network.mass.size()));
-}
-
-// Energy that the rounding of strains alone can make, J: a strain of 1e-7 in all threads, far above
-// that of coordinates kilometres from the origin and far below any motion.
-double round_off_energy(const Network& network) {
-  constexpr double kStrain = 1e-7;
-  double sum = 0.0;
-  for (const Segment& s : network.segments)
-    sum += 0.5 * network.materials[s.material].axial_stiffness * s.rest_length * kStrain * kStrain;
-  return sum;
-}
-
-State first_state(const Mission& mission, const MissionModel& model, const RunOptions& options) {
-  State state = initial_state(model.network, model.bodies);
-  if (!mission.net.state.empty()) {
-    if (!options.net_state)
-      throw InputError(
-          fmt::format("net.state = \"{}\": this run was not given the state that it "
-                      "names",
-                      mission.net.state));
-    check_same_net(*options.net_state, model.network, "net.state");
-    state.x = options.net_state->x;
-    state.v = options.net_state->v;
-    for (Vec3& x : state.x) x += mission.net.position;
-  }
-  if (options.start) {
-    check_same_net(*options.start, model.network, "start");
-    state.x = options.start->x;
-    state.v = options.start->v;
-    if (options.start->bodies.size() == state.bodies.size()) {
-      state.bodies = options.start->bodies;
-      state.touches = options.start->touches;
-    }
-  }
-  return state;
+bool is_fresh(const Mission& mission, const RunOptions& options) {
+  if (options.resume) return options.resume->checkpoint.fresh;
+  return mission.net.state.empty() && !options.start;
 }
 
 class MissionLoop {
@@ -115,7 +37,8 @@ class MissionLoop {
         observer_(observer),
         options_(options),
         network_(model.network),
-        phases_(make_phases(mission, model, mission.net.state.empty() && !options.start)),
+        fresh_(is_fresh(mission, options)),
+        phases_(make_phases(mission, model, fresh_)),
         simulation_(model.network, model.bodies, first_state(mission, model, options),
                     options.wrap_law),
         measures_(model.network, model.bodies, probe_nodes(mission, model.network)),
@@ -125,11 +48,17 @@ class MissionLoop {
     info_.mission = &mission;
     info_.network = &model.network;
     info_.bodies = &model.bodies;
+    if (options.resume) go_back(options.resume->checkpoint);
   }
 
   RunReport run();
 
  private:
+  void go_back(const Checkpoint& saved);
+  void transfer(Archive& archive);
+  void save(bool durable, bool ended = false);
+  void surround(const PhaseSpec& spec);
+  void run_phases();
   void enter(Phase& phase, bool first);
   bool run_phase(Phase& phase);
   void advance(Phase& phase);
@@ -147,6 +76,7 @@ class MissionLoop {
   Observer& observer_;
   const RunOptions& options_;
   const Network& network_;
+  bool fresh_;
   std::vector<Phase> phases_;
   Simulation simulation_;
   RunMeasures measures_;
@@ -155,6 +85,7 @@ class MissionLoop {
   RunModel info_;
   RunReport report_;
   Index phase_index_ = 0;
+  bool entered_ = false;  // the phase, in an earlier life of this run
   double phase_start_ = 0.0;
   double fraction_ = 0.0;
   std::string broken_;
@@ -163,28 +94,17 @@ class MissionLoop {
   double energy_scale_ = round_off_energy(network_);  // J
   double first_gravity_energy_ = kInfinity;           // of the phase, J
   Clock::time_point started_ = Clock::now();
-  Clock::time_point saved_ = Clock::now();
+  Clock::time_point saved_ = Clock::now(), durable_;
 };
 
 RunReport MissionLoop::run() {
   observer_.begin(info_);
   try {
-    bool first = true;
-    for (Phase& phase : phases_) {
-      phase_index_ = static_cast<Index>(&phase - phases_.data());
-      phase_start_ = simulation_.state().time;
-      enter(phase, first);
-      first = false;
-      if (!run_phase(phase)) {
-        report_.outcome = Outcome::interrupted;
-        report_.reason = fmt::format("stopped from outside at {:.6g} s", simulation_.state().time);
-        break;
-      }
+    if (options_.resume) {
+      options_.resume->retell(mission_, observer_);
+      observer_.resumed();
     }
-    if (report_.outcome == Outcome::finished && !broken_.empty()) {
-      report_.outcome = Outcome::broke;
-      report_.reason = broken_;
-    }
+    run_phases();
   } catch (const Error& e) {
     fail(e.what());
   } catch (const std::bad_alloc&) {
@@ -194,7 +114,7 @@ RunReport MissionLoop::run() {
     if (phase_index_ == static_cast<Index>(report_.phases.size()))
       leave(phases_[phase_index_], "failed");
     write(true);
-    observer_.checkpoint(simulation_.state());
+    if (report_.outcome == Outcome::finished || report_.outcome == Outcome::broke) save(true, true);
   } catch (const Error& e) {
     fail(e.what());
   }
@@ -203,6 +123,80 @@ RunReport MissionLoop::run() {
   report_.measures.push_back({"wall_time", "s", wall.count()});
   observer_.end(report_);
   return report_;
+}
+
+void MissionLoop::run_phases() {
+  for (const Index count = static_cast<Index>(phases_.size()); phase_index_ < count;) {
+    Phase& phase = phases_[phase_index_];
+    if (!entered_) {
+      phase_start_ = simulation_.state().time;
+      enter(phase, phase_index_ == 0);
+      save(true);
+    }
+    entered_ = false;
+    if (!run_phase(phase)) {
+      report_.outcome = Outcome::interrupted;
+      report_.reason = fmt::format("stopped from outside at {:.6g} s", simulation_.state().time);
+      return;
+    }
+    if (phase_index_ + 1 == count) break;
+    ++phase_index_;
+  }
+  if (broken_.empty()) return;
+  report_.outcome = Outcome::broke;
+  report_.reason = broken_;
+}
+
+// Between two steps, where phases test their triggers: nothing else steers what follows.
+void MissionLoop::transfer(Archive& archive) {
+  archive(phase_index_);
+  if (phase_index_ < 0 || phase_index_ >= static_cast<Index>(phases_.size()))
+    throw Error("it is in a phase that the mission does not have");
+  std::vector<double> tensions = simulation_.tensions();
+  archive(phase_start_, broken_, told_unsettled_, row_phase_, energy_scale_, first_gravity_energy_,
+          rows_, frames_, measures_, tensions);
+  if (tensions.size() != network_.segments.size()) throw Error("it has other segments");
+  std::int64_t ended = static_cast<std::int64_t>(report_.phases.size());
+  archive(ended);
+  report_.phases.resize(static_cast<std::size_t>(ended));
+  for (PhaseReport& phase : report_.phases) retiarius::transfer(archive, phase);
+  for (const auto& action : phases_[phase_index_].actions) action->transfer(archive);
+  if (!archive.reads()) return;
+  surround(*phases_[phase_index_].spec);
+  simulation_.resume(options_.resume->checkpoint.state, std::move(tensions));
+}
+
+void MissionLoop::save(bool durable, bool ended) {
+  const auto now = Clock::now();
+  durable = durable || std::chrono::duration<double>(now - durable_).count() > kDurableInterval;
+  Archive archive;
+  transfer(archive);
+  observer_.save(
+      {simulation_.state(), rows_.count(), frames_.count(), ended, fresh_, archive.take()},
+      durable);
+  saved_ = now;
+  if (durable) durable_ = now;
+}
+
+// Takes up the run where the checkpoint was made.
+void MissionLoop::go_back(const Checkpoint& saved) {
+  info_.resumed = true;
+  if (saved.ended) throw InputError("the run has come to its end: there is nothing to resume");
+  try {
+    Archive archive(saved.progress);
+    transfer(archive);
+    if (!archive.finished()) throw Error("it is longer than its content");
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(fmt::format("the checkpoint does not fit the mission: {}", error.what()));
+  }
+  entered_ = true;
+}
+
+void MissionLoop::surround(const PhaseSpec& spec) {
+  simulation_.configure(spec.environment, spec.integrator, spec.contact);
+  simulation_.hold_bodies(spec.kind == PhaseKind::fold);
 }
 
 // The first failure is the run's reason; what it brings about later is not.
@@ -214,8 +208,7 @@ void MissionLoop::fail(const std::string& reason) {
 
 void MissionLoop::enter(Phase& phase, bool first) {
   const PhaseSpec& spec = *phase.spec;
-  simulation_.configure(spec.environment, spec.integrator, spec.contact);
-  simulation_.hold_bodies(spec.kind == PhaseKind::fold);
+  surround(spec);
   for (const auto& action : phase.actions) action->begin(simulation_);
   const bool still = spec.integrator.method == Method::static_solve;
   StepReport solved;
@@ -235,6 +228,7 @@ bool MissionLoop::run_phase(Phase& phase) {
   const bool still = phase.spec->integrator.method == Method::static_solve;
   while (!still && !phase.trigger.evaluate(trigger_values())) {
     if (options_.stop && *options_.stop) {
+      save(true);
       leave(phase, "interrupted");
       return false;
     }
@@ -290,7 +284,10 @@ void MissionLoop::advance(Phase& phase) {
     acted = true;
   }
   if (acted) measures_.set_prescribed(simulation_, moves(phase));
+  const std::int64_t frames = frames_.count();
   write(false);
+  const std::chrono::duration<double> unsaved = Clock::now() - saved_;
+  if (frames_.count() > frames || unsaved.count() > kCheckpointInterval) save(false);
 }
 
 void MissionLoop::after_step(Phase& phase, const StepReport& step) {
@@ -311,10 +308,6 @@ void MissionLoop::after_step(Phase& phase, const StepReport& step) {
   else
     fraction_ = 0.0;
   observer_.progress(simulation_.state(), phase_index_, fraction_);
-  if (std::chrono::duration<double>(Clock::now() - saved_).count() > kCheckpointInterval) {
-    observer_.checkpoint(simulation_.state());
-    saved_ = Clock::now();
-  }
 }
 
 TriggerValues MissionLoop::trigger_values() const {
@@ -354,8 +347,6 @@ void MissionLoop::leave(Phase& phase, const std::string& trigger) {
     r.measures.insert(r.measures.end(), own.begin(), own.end());
   }
   report_.phases.push_back(std::move(r));
-  observer_.checkpoint(simulation_.state());
-  saved_ = Clock::now();
 }
 
 // An integrator that is unstable at its step makes energy from nothing while every step converges;

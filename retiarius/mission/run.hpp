@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,13 @@
 
 namespace retiarius {
 
+// A run that goes on where an earlier one was interrupted or died.
+struct Resumption {
+  Checkpoint checkpoint;
+  // Tells an observer of the rows and frames up to the checkpoint, in their order.
+  std::function<void(const Mission&, Observer&)> retell;
+};
+
 struct RunOptions {
   // Set from outside (a signal handler, another thread) to end the run after the present step; its
   // outcome is then `interrupted`. May be null.
@@ -24,6 +32,10 @@ struct RunOptions {
   // Where the run starts instead of the mission's initial positions; bodies too where there are as
   // many as the mission has. Time and accounts begin anew.
   std::optional<State> start;
+  // Goes on from here: what follows is bit for bit what the uninterrupted run would have been. The
+  // mission must be the same; start and net_state are not looked at. Throws InputError where the
+  // checkpoint does not fit, or belongs to a run that has ended.
+  std::optional<Resumption> resume;
   // Sees every law before it joins the simulation; see state/law.hpp. May be empty.
   LawWrapper wrap_law;
   Log log;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+
+#include "retiarius/base/archive.hpp"
 
 namespace retiarius {
 
@@ -27,12 +30,18 @@ class OutputGrid {
     const double k = std::round(now / interval_);
     if (!last && std::abs(now / interval_ - k) > kGridTolerance) return false;
     written_ = now;
+    ++count_;
     return true;
   }
+
+  std::int64_t count() const { return count_; }  // states written
+
+  void transfer(Archive& archive) { archive(written_, count_); }
 
  private:
   double interval_;
   double written_ = -1.0;
+  std::int64_t count_ = 0;
 };
 
 }  // namespace retiarius

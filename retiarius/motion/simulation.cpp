@@ -339,6 +339,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     const std::vector<SolvedContact> contacts = response_->contacts();
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
   }
+  if (contact_.self) now.memory.couplings = problem_->couplings();
   if (barrier_ && !bodies_held_) {
     apply_barrier_impulses(done, *bodies_, contact_.stick_speed, contacts_, now);
     const std::vector<Vec3> pushes = node_forces(contacts_, y.size());
@@ -376,6 +377,11 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
     state_.account.outside_impulse += support;
     state_.account.outside_angular_impulse += y[i].cross(support);
   }
+}
+
+void Simulation::resume(State state, std::vector<double> tensions) {
+  state_ = std::move(state);
+  tensions_ = std::move(tensions);
 }
 
 void Simulation::place(const std::vector<Vec3>& x) {

@@ -66,6 +66,10 @@ class Simulation {
   void hold_bodies(bool held) { bodies_held_ = held; }
   bool bodies_held() const { return bodies_held_; }
 
+  // Goes on from a state of an earlier simulation of the same network and bodies, with the tensions
+  // (N) that its last step reported. To be called after configure().
+  void resume(State state, std::vector<double> tensions);
+
   // One accepted step towards time `end` (s); shorter where the whole did not converge, or where
   // the step is adaptive and the whole would be too inaccurate. Throws
   // RunError naming time, node and cause where no step of the smallest allowed length converges;

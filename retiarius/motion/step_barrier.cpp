@@ -57,11 +57,40 @@ void StepProblem::grow_pattern() {
   find_end(end_);
   const auto needed = start_.barrier->couplings(end_.places(), 1.0);
   if (std::includes(couplings_.begin(), couplings_.end(), needed.begin(), needed.end())) return;
-  couplings_ = start_.barrier->couplings(end_.places(), kNearReach);
+  couple(start_.barrier->couplings(end_.places(), kNearReach));
+}
+
+void StepProblem::couple(std::vector<std::pair<Index, Index>> couplings) {
+  couplings_ = std::move(couplings);
   pattern_ = laws_pattern_;
   for (const auto& [a, b] : couplings_) pattern_.couple(a, b);
   pattern_.finish();
   use_pattern();
+}
+
+std::vector<Index> StepProblem::couplings() const {
+  std::vector<Index> nodes;
+  nodes.reserve(2 * couplings_.size());
+  for (const auto& [a, b] : couplings_) nodes.insert(nodes.end(), {a, b});
+  return nodes;
+}
+
+// A step starts with the couplings of its start state, whatever was solved before, so that a
+// resumed run eliminates in the same order.
+void StepProblem::follow_couplings() {
+  const std::vector<Index>& nodes = start_.step->start->memory.couplings;
+  const auto same = [&] {
+    if (nodes.size() != 2 * couplings_.size()) return false;
+    for (std::size_t k = 0; k < couplings_.size(); ++k)
+      if (nodes[2 * k] != couplings_[k].first || nodes[2 * k + 1] != couplings_[k].second)
+        return false;
+    return true;
+  };
+  if (same()) return;
+  std::vector<std::pair<Index, Index>> couplings;
+  for (std::size_t k = 0; k + 1 < nodes.size(); k += 2)
+    couplings.emplace_back(nodes[k], nodes[k + 1]);
+  couple(std::move(couplings));
 }
 
 // Bodies start where their free motion leads, nodes at the guess where nothing is in their way.

@@ -77,6 +77,7 @@ void StepProblem::bind_laws() {
 void StepProblem::begin(Start start) {
   start_ = std::move(start);
   const Step& step = *start_.step;
+  follow_couplings();
   for (const auto& law : *laws_) law->prepare(step);
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     const Body& body = (*bodies_)[b];

@@ -93,6 +93,8 @@ class StepProblem final : public NewtonProblem {
   // Empty if the straight motion from the step's start to the present iterate keeps apart what
   // touches; otherwise the name of a pair that it does not.
   std::string blocked_motion();
+  // What Memory::couplings is to be after this step.
+  std::vector<Index> couplings() const;
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
   const LinearSolver& solver() const { return *active_; }
@@ -128,6 +130,8 @@ class StepProblem final : public NewtonProblem {
   double add_barrier(Assembly& out);
   void use_pattern();
   void grow_pattern();
+  void couple(std::vector<std::pair<Index, Index>> couplings);
+  void follow_couplings();
   void free_guess();
   void find_end(End& end) const;
   double add_inertia(bool hessian);

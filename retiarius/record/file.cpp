@@ -30,13 +30,13 @@ void sync_folder_of(const std::filesystem::path& path) {
   ::close(descriptor);
 }
 
-std::filesystem::path write_temporary(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path temporary = path;
-  temporary += ".new";
+std::filesystem::path write_temporary(const std::filesystem::path& path, std::string_view bytes,
+                                      bool sync = true) {
+  const std::filesystem::path temporary = new_name(path);
   try {
     OutputFile file(temporary);
     file.write(bytes);
-    file.sync();
+    if (sync) file.sync();
     file.close();
   } catch (...) {
     ::unlink(temporary.c_str());
@@ -80,17 +80,37 @@ void OutputFile::close() {
   if (::close(descriptor) != 0) fail(path_, "write");
 }
 
+void OutputFile::rename_to(const std::filesystem::path& path) {
+  sync();
+  rename_durably(path_, path);
+  path_ = path;
+}
+
+std::filesystem::path new_name(const std::filesystem::path& path) {
+  std::filesystem::path name = path;
+  name += ".new";
+  return name;
+}
+
+void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
+  rename_file(from, to);
+  sync_folder_of(to);
+}
+
+void write_replacing(const std::filesystem::path& path, std::string_view bytes) {
+  rename_file(write_temporary(path, bytes, false), path);
+}
+
 void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  rename_file(write_temporary(path, bytes), path);
-  sync_folder_of(path);
+  rename_durably(write_temporary(path, bytes), path);
 }
 
 void replace_keeping(const std::filesystem::path& path, const std::filesystem::path& previous,
-                     std::string_view bytes) {
-  const std::filesystem::path temporary = write_temporary(path, bytes);
+                     std::string_view bytes, bool durable) {
+  const std::filesystem::path temporary = write_temporary(path, bytes, durable);
   if (std::filesystem::exists(path)) rename_file(path, previous);
   rename_file(temporary, path);
-  sync_folder_of(path);
+  if (durable) sync_folder_of(path);
 }
 
 std::string read_whole_file(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,17 +22,25 @@ std::vector<double> history_values(const HistoryRow& row);
 // to the same double, nothing between the commas for NaN.
 std::string csv_line(const std::vector<double>& values);
 
-// Writes the file row by row: each row is handed to the operating system before the run goes on.
+// The row that has these values, the inverse of history_values. Throws Error where they are too few
+// or too many.
+HistoryRow history_row(const std::vector<double>& values, const Mission& mission);
+
+// Writes the file row by row: each row is handed to the operating system before the run goes on. A
+// resumed run replaces the file when it has been told again what is kept of it.
 class HistoryCsv : public Observer {
  public:
-  explicit HistoryCsv(const std::filesystem::path& folder);  // throws RunError
+  explicit HistoryCsv(const std::filesystem::path& folder) : path_(folder / "history.csv") {}
 
   void begin(const RunModel& model) override;
   void history(const HistoryRow& row) override;
+  void save(const Checkpoint& saved, bool durable) override;
+  void resumed() override;
   void end(const RunReport& report) override;
 
  private:
-  OutputFile file_;
+  std::filesystem::path path_;
+  std::unique_ptr<OutputFile> file_;
 };
 
 }  // namespace retiarius

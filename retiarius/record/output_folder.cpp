@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 namespace {
 
 // Everything a run may leave, so that overwriting never touches a file of the user's.
-constexpr std::array kRunFiles = {"history.csv",    "frames",      "frames.pvd",
-                                  "run.h5",         "checkpoint",  "checkpoint.previous",
-                                  "summary.json",   "report.html", "resolved.toml",
-                                  "checkpoint.new", "replay.bin",  "mission.toml"};
+constexpr std::array kRunFiles = {
+    "history.csv",         "frames",       "frames.pvd",      "run.h5",        "checkpoint",
+    "checkpoint.previous", "summary.json", "report.html",     "resolved.toml", "checkpoint.new",
+    "replay.bin",          "mission.toml", "history.csv.new", "run.h5.new",    "replay.bin.new"};
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& cause) {
   throw InputError(

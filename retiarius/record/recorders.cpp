@@ -2,7 +2,6 @@
 
 #include <exception>
 
-#include "retiarius/record/checkpoint.hpp"
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/history_csv.hpp"
 #include "retiarius/record/output_folder.hpp"
@@ -42,8 +41,12 @@ void FanOut::frame(const Frame& frame) {
   each(false, [&](Observer& observer) { observer.frame(frame); });
 }
 
-void FanOut::checkpoint(const State& state) {
-  each(false, [&](Observer& observer) { observer.checkpoint(state); });
+void FanOut::save(const Checkpoint& saved, bool durable) {
+  each(false, [&](Observer& observer) { observer.save(saved, durable); });
+}
+
+void FanOut::resumed() {
+  each(false, [&](Observer& observer) { observer.resumed(); });
 }
 
 void FanOut::progress(const State& state, Index phase, double phase_fraction) {
@@ -54,17 +57,25 @@ void FanOut::end(const RunReport& report) {
   each(true, [&](Observer& observer) { observer.end(report); });
 }
 
+RunIdentity run_identity(const RecordOptions& options) {
+  return {options.build.version, options.build.revision, options.build.kernels,
+          fnv1a(options.resolved), 0};
+}
+
 std::unique_ptr<FanOut> make_recorders(const std::filesystem::path& folder,
                                        const RecordOptions& options) {
-  prepare_output_folder(folder, options.overwrite);
-  write_atomically(folder / "resolved.toml", options.resolved);
-  if (!options.mission.empty()) write_atomically(folder / "mission.toml", options.mission);
+  if (!options.resume) {
+    prepare_output_folder(folder, options.overwrite);
+    write_atomically(folder / "resolved.toml", options.resolved);
+    if (!options.mission.empty()) write_atomically(folder / "mission.toml", options.mission);
+  }
   auto all = std::make_unique<FanOut>();
   all->add(std::make_unique<HistoryCsv>(folder));
   all->add(std::make_unique<RunH5>(folder, options.resolved, options.build.version));
   all->add(std::make_unique<ReplayRecorder>(folder, options.build.version));
   if (options.vtk) all->add(std::make_unique<VtkFrames>(folder));
-  all->add(std::make_unique<CheckpointFile>(folder));
+  // After all others: what it counts has reached its file.
+  all->add(std::make_unique<CheckpointFile>(folder, run_identity(options)));
   all->add(std::make_unique<SummaryJson>(folder, options.build));
   return all;
 }

@@ -8,6 +8,7 @@
 
 #include "retiarius/base/build_info.hpp"
 #include "retiarius/mission/observer.hpp"
+#include "retiarius/record/checkpoint.hpp"
 
 namespace retiarius {
 
@@ -22,7 +23,8 @@ class FanOut : public Observer {
   void begin(const RunModel& model) override;
   void history(const HistoryRow& row) override;
   void frame(const Frame& frame) override;
-  void checkpoint(const State& state) override;
+  void save(const Checkpoint& saved, bool durable) override;
+  void resumed() override;
   void progress(const State& state, Index phase, double phase_fraction) override;
   void end(const RunReport& report) override;
 
@@ -45,7 +47,11 @@ struct RecordOptions {
   BuildInfo build;
   bool overwrite = false;  // remove what an earlier run left in the folder
   bool vtk = true;         // write frames/ and frames.pvd
+  bool resume = false;     // of a run that goes on in its folder, which is not prepared
 };
+
+// What a checkpoint remembers of the run that made it.
+RunIdentity run_identity(const RecordOptions& options);
 
 // Prepares the output folder, writes resolved.toml and mission.toml, and makes the observers that
 // write everything else but report.html. Throws InputError (the folder cannot be used) and

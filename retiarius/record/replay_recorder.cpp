@@ -49,7 +49,7 @@ ReplayRecorder::ReplayRecorder(const std::filesystem::path& folder, std::string 
     : path_(folder / "replay.bin"), version_(std::move(version)) {}
 
 void ReplayRecorder::begin(const RunModel& model) {
-  file_ = std::make_unique<OutputFile>(path_);
+  file_ = std::make_unique<OutputFile>(model.resumed ? new_name(path_) : path_);
   codec_ = std::make_unique<ReplayCodec>(replay_shape(model), replay_scales(model));
   file_->write(replay_preamble() + replay_chunk("HEAD", replay_header(model, version_)));
 }
@@ -60,6 +60,14 @@ void ReplayRecorder::frame(const Frame& frame) {
   std::unique_ptr<OutputFile> file = std::move(file_);
   file->write(replay_chunk("FRAM", codec_->encode(replay_frame(frame))));
   file_ = std::move(file);
+}
+
+void ReplayRecorder::save(const Checkpoint&, bool durable) {
+  if (durable && file_) file_->sync();
+}
+
+void ReplayRecorder::resumed() {
+  if (file_) file_->rename_to(path_);
 }
 
 void ReplayRecorder::end(const RunReport& report) {

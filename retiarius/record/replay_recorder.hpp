@@ -22,6 +22,8 @@ class ReplayRecorder : public Observer {
 
   void begin(const RunModel& model) override;
   void frame(const Frame& frame) override;
+  void save(const Checkpoint& saved, bool durable) override;
+  void resumed() override;
   void end(const RunReport& report) override;
 
  private:

@@ -1,14 +1,18 @@
 #include "retiarius/record/run_h5.hpp"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 #include <hdf5_hl.h>
+#include <unistd.h>
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/body_mesh.hpp"
+#include "retiarius/record/file.hpp"
 #include "retiarius/record/h5.hpp"
 #include "retiarius/record/history_csv.hpp"
 #include "retiarius/record/vtk_frames.hpp"
@@ -165,6 +169,14 @@ class RunH5::File {
     h5::checked(H5Fflush(file_.id(), H5F_SCOPE_LOCAL));
   }
 
+  // As flush(), and waits until the data are on the device.
+  void sync() {
+    flush();
+    void* descriptor = nullptr;
+    h5::checked(H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, &descriptor));
+    if (::fsync(*static_cast<const int*>(descriptor)) != 0) throw Error(std::strerror(errno));
+  }
+
  private:
   void create_history(const Mission& mission) {
     const h5::Handle group = h5::make_group(file_.id(), "history");
@@ -281,6 +293,7 @@ RunH5::RunH5(const std::filesystem::path& folder, std::string resolved, std::str
 RunH5::~RunH5() = default;
 
 void RunH5::begin(const RunModel& model) {
+  if (model.resumed) path_ = new_name(path_);
   guarded("create", [&] { file_ = std::make_unique<File>(path_, model, resolved_, version_); });
 }
 
@@ -292,8 +305,16 @@ void RunH5::frame(const Frame& frame) {
   guarded("write", [&] { file_->add_frame(frame); });
 }
 
-void RunH5::checkpoint(const State&) {
-  guarded("write", [&] { file_->flush(); });
+void RunH5::save(const Checkpoint&, bool durable) {
+  guarded("write", [&] { durable ? file_->sync() : file_->flush(); });
+}
+
+// The file that was begun takes the place of the one that the run left.
+void RunH5::resumed() {
+  guarded("write", [&] { file_->sync(); });
+  const std::filesystem::path old = path_.parent_path() / "run.h5";
+  rename_durably(path_, old);
+  path_ = old;
 }
 
 void RunH5::end(const RunReport&) {

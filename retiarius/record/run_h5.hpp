@@ -25,7 +25,8 @@ class RunH5 : public Observer {
   void begin(const RunModel& model) override;
   void history(const HistoryRow& row) override;
   void frame(const Frame& frame) override;
-  void checkpoint(const State& state) override;
+  void save(const Checkpoint& saved, bool durable) override;
+  void resumed() override;
   void end(const RunReport& report) override;
 
  private:
@@ -35,7 +36,7 @@ class RunH5 : public Observer {
   void guarded(const char* what, Call&& call);
   void save_what_is_written();
 
-  std::filesystem::path path_;
+  std::filesystem::path path_;  // where it is written now
   std::string resolved_, version_;
   std::unique_ptr<File> file_;
   bool broken_ =

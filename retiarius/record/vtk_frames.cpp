@@ -1,6 +1,7 @@
 #include "retiarius/record/vtk_frames.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include <fmt/format.h>
 
@@ -129,6 +130,23 @@ void VtkFrames::begin(const RunModel& model) {
 }
 
 void VtkFrames::frame(const Frame& frame) { series_.at(0).add(frame_data(frame)); }
+
+void VtkSeries::remove_later_frames() {
+  constexpr std::size_t kTail = 10;  // "000000.vtp"
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "frames")) {
+    const std::string name = entry.path().filename().string();
+    int number = -1;
+    if (name.size() <= kTail) continue;
+    const char* digits = name.data() + name.size() - kTail;
+    if (std::from_chars(digits, digits + 6, number).ptr == digits + 6 && number >= frames_)
+      later.push_back(entry.path());
+  }
+  std::error_code ignored;
+  for (const auto& path : later) std::filesystem::remove(path, ignored);
+}
+
+void VtkFrames::resumed() { series_.at(0).remove_later_frames(); }
 
 void VtkFrames::end(const RunReport&) {
   if (!series_.empty()) series_[0].finish();

@@ -43,6 +43,8 @@ class VtkSeries {
 
   void add(const FrameData& frame);
   void finish();  // brings frames.pvd up to date
+  // Removes frames beyond those that were added, which an earlier run left.
+  void remove_later_frames();
 
  private:
   void write_net(const FrameData& frame, int number);
@@ -62,6 +64,7 @@ class VtkFrames : public Observer {
 
   void begin(const RunModel& model) override;
   void frame(const Frame& frame) override;
+  void resumed() override;
   void end(const RunReport& report) override;
 
  private:

@@ -47,6 +47,9 @@ struct Memory {
   Vec3 outside_force = Vec3::Zero();
   Vec3 outside_moment = Vec3::Zero();
   double next_step = 0.0;  // that an adaptive step would try next, s; 0: none yet
+  // Of the solver: pairs of nodes, one after the other, that threads in contact have coupled in
+  // its matrix, whose order of elimination they steer.
+  std::vector<Index> couplings;
 };
 
 struct State {

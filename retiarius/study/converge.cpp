@@ -27,8 +27,8 @@ class HistoryKeeper final : public Observer {
   void frame(const Frame& frame) override {
     if (other_) other_->frame(frame);
   }
-  void checkpoint(const State& state) override {
-    if (other_) other_->checkpoint(state);
+  void save(const Checkpoint& saved, bool durable) override {
+    if (other_) other_->save(saved, durable);
   }
   void progress(const State& state, Index phase, double fraction) override {
     if (other_) other_->progress(state, phase, fraction);

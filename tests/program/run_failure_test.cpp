@@ -10,7 +10,7 @@ namespace {
 
 using testing::small_mission;
 
-// Cannot write rows after the first `good` ones, and no checkpoint either from then on.
+// Cannot write rows after the first `good` ones, and no frames either from then on.
 class FullDisk : public Observer {
  public:
   explicit FullDisk(int good) : good_(good) {}
@@ -18,14 +18,18 @@ class FullDisk : public Observer {
   void history(const HistoryRow&) override {
     if (rows++ >= good_) throw RunError("disk full at row " + std::to_string(rows));
   }
-  void checkpoint(const State&) override {
+  void frame(const Frame&) override {
     if (rows <= good_) return;
-    ++checkpoints_refused;
-    throw RunError("disk full at the checkpoint");
+    ++frames_refused;
+    throw RunError("disk full at a frame");
+  }
+  void save(const Checkpoint& saved, bool) override {
+    EXPECT_LE(saved.rows, good_);
+    EXPECT_FALSE(saved.ended);
   }
   void end(const RunReport& told) override { report = told; }
 
-  int rows = 0, checkpoints_refused = 0;
+  int rows = 0, frames_refused = 0;
   std::optional<RunReport> report;
 
  private:
@@ -42,7 +46,7 @@ TEST(RunFailure, FirstFailureIsTheReasonAndTheEndIsTold) {
   const RunReport report = run_with(observer);
   EXPECT_EQ(report.outcome, Outcome::failed);
   EXPECT_EQ(report.reason, "disk full at row 4");
-  EXPECT_GT(observer.checkpoints_refused, 0);  // an error of its own, which changes nothing
+  EXPECT_GT(observer.frames_refused, 0);  // an error of its own, which changes nothing
   ASSERT_EQ(report.phases.size(), 1u);
   EXPECT_EQ(report.phases[0].trigger, "failed");
   ASSERT_TRUE(observer.report.has_value());

@@ -29,6 +29,12 @@ State small_state() {
   return s;
 }
 
+Checkpoint of_state(const State& s) {
+  Checkpoint c;
+  c.state = s;
+  return c;
+}
+
 bool same_bits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
@@ -81,18 +87,37 @@ TEST(Checkpoint, ComesBackBitForBit) {
   s.account.environment_loss = 2.0;
   s.account.friction_loss = 3.0;
   s.account.impact_loss = 4.0;
-  expect_same_bits(decode_checkpoint(encode_checkpoint(s), "c"), s);
+  SavedRun saved;
+  saved.checkpoint.state = s;
+  saved.checkpoint.rows = 7;
+  saved.checkpoint.frames = 3;
+  saved.checkpoint.ended = true;
+  saved.checkpoint.fresh = false;
+  saved.checkpoint.progress = std::string("a\0b", 3);
+  saved.identity = {"1.2", "abc", "avx2", 17, 18};
+  const SavedRun back = decode_checkpoint(encode_checkpoint(saved), "c");
+  expect_same_bits(back.checkpoint.state, s);
+  EXPECT_EQ(back.checkpoint.rows, 7);
+  EXPECT_EQ(back.checkpoint.frames, 3);
+  EXPECT_TRUE(back.checkpoint.ended);
+  EXPECT_FALSE(back.checkpoint.fresh);
+  EXPECT_EQ(back.checkpoint.progress, saved.checkpoint.progress);
+  EXPECT_EQ(back.identity.version, "1.2");
+  EXPECT_EQ(back.identity.revision, "abc");
+  EXPECT_EQ(back.identity.kernels, "avx2");
+  EXPECT_EQ(back.identity.mission, 17u);
+  EXPECT_EQ(back.identity.model, 18u);
 }
 
 TEST(Checkpoint, IsRefusedWhenTornAtAnyByte) {
-  const std::string bytes = encode_checkpoint(small_state());
+  const std::string bytes = encode_checkpoint({{}, of_state(small_state())});
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_THROW(decode_checkpoint(bytes.substr(0, size), "c"), InputError) << size;
   EXPECT_THROW(decode_checkpoint(bytes + "x", "c"), InputError);
 }
 
 TEST(Checkpoint, IsRefusedWhenAnyByteIsChanged) {
-  const std::string bytes = encode_checkpoint(small_state());
+  const std::string bytes = encode_checkpoint({{}, of_state(small_state())});
   for (std::size_t k = 0; k < bytes.size(); ++k) {
     std::string changed = bytes;
     changed[k] = static_cast<char>(changed[k] ^ 0x10);
@@ -101,23 +126,23 @@ TEST(Checkpoint, IsRefusedWhenAnyByteIsChanged) {
 }
 
 TEST(Checkpoint, SaysWhatIsWrong) {
-  std::string bytes = encode_checkpoint(small_state());
+  std::string bytes = encode_checkpoint({{}, of_state(small_state())});
   EXPECT_EQ(error_text<InputError>([&] { decode_checkpoint("time,step\n0,1\n", "h.csv"); }),
             "cannot use the checkpoint h.csv: it is not a checkpoint");
   EXPECT_THAT(error_text<InputError>([&] { decode_checkpoint("", "c"); }),
               HasSubstr("ends too early"));
   bytes[8] = 9;
   EXPECT_EQ(error_text<InputError>([&] { decode_checkpoint(bytes, "c"); }),
-            "cannot use the checkpoint c: it has format 9, this version reads format 2");
+            "cannot use the checkpoint c: it has format 9, this version reads format 3");
 }
 
 TEST(ReadCheckpoint, UsesThePreviousOneWhenTheNewestIsTornAtAnyByte) {
   TemporaryFolder folder;
   CheckpointFile file(folder.path());
   State s = small_state();
-  file.checkpoint(s);
+  file.save(of_state(s), true);
   s.time = 0.5;
-  file.checkpoint(s);
+  file.save(of_state(s), false);
   EXPECT_EQ(read_checkpoint(folder.path()).time, 0.5);
   EXPECT_EQ(read_checkpoint(folder / "checkpoint").time, 0.5);
   const std::string bytes = read_whole_file(folder / "checkpoint");
@@ -127,6 +152,32 @@ TEST(ReadCheckpoint, UsesThePreviousOneWhenTheNewestIsTornAtAnyByte) {
   }
   std::filesystem::remove(folder / "checkpoint");  // died between the two renames
   EXPECT_EQ(read_checkpoint(folder.path()).time, 0.3);
+}
+
+// Between two that outlive the machine there may be many that outlive the process only.
+TEST(CheckpointFile, KeepsADurableOneAmongTheTwo) {
+  TemporaryFolder folder;
+  CheckpointFile file(folder.path());
+  State s = small_state();
+  const auto save = [&](double time, bool durable) {
+    s.time = time;
+    file.save(of_state(s), durable);
+  };
+  const auto newest = [&] { return read_checkpoint(folder / "checkpoint").time; };
+  const auto previous = [&] { return read_checkpoint(folder / "checkpoint.previous").time; };
+  save(1.0, true);
+  EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.previous"));
+  for (double time : {2.0, 3.0}) {
+    save(time, false);
+    EXPECT_EQ(newest(), time);
+    EXPECT_EQ(previous(), 1.0);
+  }
+  save(4.0, true);
+  EXPECT_EQ(newest(), 4.0);
+  EXPECT_EQ(previous(), 1.0);
+  save(5.0, true);
+  EXPECT_EQ(newest(), 5.0);
+  EXPECT_EQ(previous(), 4.0);
 }
 
 TEST(ReadCheckpoint, NamesBothFilesWhenNeitherCanBeUsed) {

@@ -80,6 +80,29 @@ TEST(HistoryColumns, ReadTheirOwnMembers) {
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values[k], static_cast<double>(k));
 }
 
+TEST(HistoryRow, ComesBackFromItsValues) {
+  Mission mission;
+  mission.probes.resize(2);
+  mission.targets.resize(1);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < history_columns().size() + 2 * 6 + 5; ++k)
+    values.push_back(static_cast<double>(k));
+  EXPECT_EQ(history_values(history_row(values, mission)), values);
+  EXPECT_EQ(history_row(values, mission).probes.size(), 2u);
+
+  HistoryRow without_body;
+  const HistoryRow back = history_row(history_values(without_body), Mission{});
+  EXPECT_FALSE(back.smallest_distance);
+  EXPECT_FALSE(back.captured_share);
+
+  values.pop_back();
+  EXPECT_EQ(testing::error_text<Error>([&] { history_row(values, mission); }),
+            "a history row has too few values");
+  values.insert(values.end(), {1.0, 2.0});
+  EXPECT_EQ(testing::error_text<Error>([&] { history_row(values, mission); }),
+            "a history row has too many values");
+}
+
 TEST(CsvLine, WritesShortestNumbersAndNothingForAbsentValues) {
   EXPECT_EQ(csv_line({0.1, std::nan(""), 1e-300, 3.0, -0.0}), "0.1,,1e-300,3,-0\n");
 }

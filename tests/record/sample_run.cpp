@@ -179,7 +179,11 @@ void SampleRun::feed(Observer& observer, int rows) const {
     if (k % 2 != 0) continue;
     const State s = state(0.1 * k);
     observer.frame(frame(s));
-    observer.checkpoint(s);
+    Checkpoint saved;
+    saved.state = s;
+    saved.rows = k + 1;
+    saved.frames = k / 2 + 1;
+    observer.save(saved, true);
   }
 }
 
