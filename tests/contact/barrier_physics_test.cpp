@@ -83,12 +83,10 @@ double tension_ratio(double friction, int wrap) {
   const auto drag = [&](double t) {
     // Begins gently, so that the weight does not swing: speed (1 - cos) / 2 over 0.1 s.
     const double rise = std::min(t / 0.1, 1.0);
-    const double way = rise < 1.0
-                           ? 0.5 * speed * (t - 0.1 / kPi * std::sin(kPi * rise))
-                           : speed * (t - 0.05);
+    const double way =
+        rise < 1.0 ? 0.5 * speed * (t - 0.1 / kPi * std::sin(kPi * rise)) : speed * (t - 0.05);
     const double now = rise < 1.0 ? 0.5 * speed * (1.0 - std::cos(kPi * rise)) : speed;
-    return std::vector<Prescribed>{
-        {last, points.back() - Vec3(0, 0, way), Vec3(0, 0, -now)}};
+    return std::vector<Prescribed>{{last, points.back() - Vec3(0, 0, way), Vec3(0, 0, -now)}};
   };
   double light = 0.0, heavy = 0.0;
   run(sim, h, 500, drag, [&](int k) {
