@@ -4,7 +4,7 @@ set -euo pipefail
 usage='usage: scripts/random-captures.sh COUNT SEED [OPTION...]
   --program FILE  the built program (default: build/ci/program/retiarius)
   --first N       number of the first capture (default: 1)
-  --limit SECONDS of wall time for one run (default: 600)
+  --limit SECONDS of processor time for one run (default: 600); 20 times as much by the clock
   --out DIR       missions, and results of runs that went wrong (default: out/random-captures-SEED)
   --keep          keep the results of good runs too
 Each capture (scripts/random_capture.py) is run with one thread at low priority. A run is good if
@@ -14,6 +14,7 @@ Prints one line a run and a summary; ends with 1 if any run was bad.'
 fail() { printf 'random-captures.sh: %s\n%s\n' "$1" "$usage" >&2; exit 2; }
 root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 program="$root/build/ci/program/retiarius"
+TIMEFORMAT='%1U'
 first=1 limit=600 keep='' out=''
 case "${1:-}" in -h | --help) printf '%s\n' "$usage"; exit 0 ;; esac
 [ $# -ge 2 ] || fail 'COUNT and SEED are needed'
@@ -47,7 +48,7 @@ checks=''
 
 good=0 bad=0 refused=0
 printf '%6s %6s %7s %6s %5s %5s %8s %7s  %s\n' \
-  number nodes step speed frict self radius wall outcome
+  number nodes step speed frict self radius 'cpu s' outcome
 last=$((first + count - 1))
 for ((number = first; number <= last; ++number)); do
   folder="$out/$number"
@@ -55,14 +56,20 @@ for ((number = first; number <= last; ++number)); do
   # shellcheck disable=SC2086  # The fourth argument is there or not.
   read -r nodes step speed friction self radius < <(
     python3 "$root/scripts/random_capture.py" "$folder" "$seed" "$number" ${checks:+every-step})
-  start=$SECONDS code=0
-  nice -n 19 timeout --kill-after=60 "$limit" "$program" run "$folder/mission.toml" --threads 1 \
-    --out "$folder/run" >"$folder/log" 2>&1 </dev/null || code=$?
-  wall=$((SECONDS - start))
+  code=0
+  {
+    time (
+      ulimit -t "$limit"
+      exec nice -n 19 timeout --kill-after=60 $((20 * limit)) "$program" run \
+        "$folder/mission.toml" --threads 1 --out "$folder/run" >"$folder/log" 2>&1 </dev/null
+    )
+  } 2>"$folder/time" || code=$?
+  took="$(tail -n 1 "$folder/time")"
   case "$code" in
     0) outcome=finished ;;
     1) outcome='clear error' ;;
-    124 | 4) outcome="SLOWER THAN $limit s" ;;
+    137 | 152) outcome="SLOWER THAN $limit s" ;;
+    124) outcome='HANGS' ;;
     *) outcome="EXIT CODE $code" ;;
   esac
   if [ "$code" -eq 1 ] && ! grep -q 'error' "$folder/log"; then outcome='FAILED WITHOUT A WORD'; fi
@@ -75,8 +82,8 @@ for ((number = first; number <= last; ++number)); do
       *) outcome="$outcome, CHECK FAILED" ;;
     esac
   fi
-  printf '%6d %6d %7s %6s %5s %5s %8s %6ds  %s\n' \
-    "$number" "$nodes" "$step" "$speed" "$friction" "$self" "$radius" "$wall" "$outcome"
+  printf '%6d %6d %7s %6s %5s %5s %8s %7s  %s\n' \
+    "$number" "$nodes" "$step" "$speed" "$friction" "$self" "$radius" "$took" "$outcome"
   case "$outcome" in
     *[A-Z][A-Z]*) bad=$((bad + 1)); continue ;;
     'clear error'*) refused=$((refused + 1)); continue ;;

@@ -117,6 +117,8 @@ class BarrierContact {
   std::vector<PairContact> contacts(const ContactPlaces& at);
 
   double search_time() const { return search_time_; }  // for what may touch, since the start, s
+  // Whether bodies touch nothing, from the next step on; threads touch each other all the same.
+  void leave_bodies_out(bool out) { broad_->leave_bodies_out(out); }
   bool touches_itself() const { return spec_.self; }
   double range() const { return range_; }
   const CollisionScene& scene() const { return scene_; }

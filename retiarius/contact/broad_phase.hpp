@@ -24,6 +24,7 @@ class BroadPhase {
  public:
   struct Options {
     bool self = false;        // thread on thread
+    bool alone = false;       // that and nothing else
     std::vector<bool> fixed;  // of each body; empty: none
   };
 
@@ -34,6 +35,9 @@ class BroadPhase {
   // unique, whatever the number of threads; they stand until the next call.
   const std::vector<ContactPair>& find(const std::vector<Vec3>& x, const std::vector<Vec3>& dx,
                                        const std::vector<BodyTwist>& bodies, double margin);
+
+  // From the next call on.
+  void leave_bodies_out(bool out) { options_.alone = out; }
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 

@@ -216,7 +216,8 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   start.prescribed = &prescribed;
   free_bodies(step.h, start.bodies);
   start.contact = bodies_held_ ? nullptr : response_.get();
-  start.barrier = bodies_held_ ? nullptr : barrier_.get();
+  start.barrier = barrier_.get();
+  if (barrier_) barrier_->leave_bodies_out(bodies_held_);
   start.tolerance = integrator_.tolerance;
   start.force_floor = force_floor(step);
   start.linear = integrator_.newton == Newton::single;
@@ -340,7 +341,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
   }
   if (contact_.self) now.memory.couplings = problem_->couplings();
-  if (barrier_ && !bodies_held_) {
+  if (barrier_) {
     apply_barrier_impulses(done, *bodies_, contact_.stick_speed, contacts_, now);
     const std::vector<Vec3> pushes = node_forces(contacts_, y.size());
     for (std::size_t i = 0; i < y.size(); ++i)

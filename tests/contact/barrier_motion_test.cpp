@@ -153,5 +153,25 @@ TEST(BodyOnBody, TwoFreeBoxesCollideAndKeepTheirMomentum) {
   }
 }
 
+// Held bodies are far away: threads fall through where they are drawn, but not through each other.
+TEST(HeldBodies, TouchNothingWhileThreadsTouchEachOther) {
+  Network net = two_masses({0, 0, 0.01});
+  net.design.insert(net.design.end(), {Vec3(-0.05, 0, 0.02), Vec3(0.05, 0, 0.02)});
+  net.initial = net.design;
+  net.velocity = {{0, 0, 0}, {0, 0, 0}, {0, 0, -0.5}, {0, 0, -0.5}};
+  net.mass.resize(4, 0.5);
+  add_thread(net, {2, 3}, {0.1}, 0.0);
+  const std::vector<Body> bodies{fixed_plane()};
+  Simulation sim(net, bodies, initial_state(net, bodies));
+  ContactSpec contact = barriers();
+  contact.self = true;
+  sim.configure({{0, 0, -9.81}, 0.0}, steps(2e-3), contact);
+  sim.hold_bodies(true);
+  run(sim, 2e-3, 50);
+  EXPECT_LT(sim.state().x[0].z(), -0.03);
+  EXPECT_GT(sim.state().x[2].z() - sim.state().x[0].z(), 2.0 * kRadius);
+  EXPECT_LT(sim.state().v[2].z() - sim.state().v[0].z(), 0.5);
+}
+
 }  // namespace
 }  // namespace retiarius

@@ -1,4 +1,5 @@
 // Barrier contact against what statics and a point mass's mechanics say.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "retiarius/motion/integrator.hpp"
@@ -49,6 +50,7 @@ TEST(BarrierRest, ABallCarriesTheNetsWeight) {
   EXPECT_NEAR(force.z(), weight, 1e-5 * weight);
   EXPECT_LT(force.head<2>().norm(), 1e-5 * weight);
   EXPECT_LT((force - touches).norm(), 1e-12 * weight);
+  RecordProperty("error_of_weight", fmt::format("{:.3g}", force.z() / weight - 1.0));
   for (std::size_t i = 0; i < sim.state().x.size(); ++i)
     EXPECT_GT(sim.state().x[i].norm(), 0.204) << i;
 }
@@ -83,12 +85,10 @@ double tension_ratio(double friction, int wrap) {
   const auto drag = [&](double t) {
     // Begins gently, so that the weight does not swing: speed (1 - cos) / 2 over 0.1 s.
     const double rise = std::min(t / 0.1, 1.0);
-    const double way = rise < 1.0
-                           ? 0.5 * speed * (t - 0.1 / kPi * std::sin(kPi * rise))
-                           : speed * (t - 0.05);
+    const double way =
+        rise < 1.0 ? 0.5 * speed * (t - 0.1 / kPi * std::sin(kPi * rise)) : speed * (t - 0.05);
     const double now = rise < 1.0 ? 0.5 * speed * (1.0 - std::cos(kPi * rise)) : speed;
-    return std::vector<Prescribed>{
-        {last, points.back() - Vec3(0, 0, way), Vec3(0, 0, -now)}};
+    return std::vector<Prescribed>{{last, points.back() - Vec3(0, 0, way), Vec3(0, 0, -now)}};
   };
   double light = 0.0, heavy = 0.0;
   run(sim, h, 500, drag, [&](int k) {
@@ -138,7 +138,9 @@ TEST(BarrierIncline, SlipsJustAboveTheAngleOfFriction) {
   for (double share : {0.98, 0.5}) {
     const double mu = share * std::tan(slope), t = 1.0;
     const double a = kG * (std::sin(slope) - mu * std::cos(slope));
-    EXPECT_NEAR(incline_way(mu, 1e-3, 0.0, t), 0.5 * a * t * t, 0.02 * 0.5 * a * t * t) << share;
+    const double exact = 0.5 * a * t * t, way = incline_way(mu, 1e-3, 0.0, t);
+    EXPECT_NEAR(way, exact, 0.02 * exact) << share;
+    RecordProperty(fmt::format("slip_{}", share), fmt::format("{:.3g}", way / exact - 1.0));
   }
 }
 
@@ -157,7 +159,9 @@ TEST(BarrierSlide, LeavesASmoothSphereAtCosTwoThirds) {
       sim.advance(k * 5e-4, {});
       if (!sim.contacts().empty()) left = sim.state().x[0].normalized().z();
     }
-    EXPECT_NEAR(left, 2.0 / 3.0 * std::cos(start), 0.01 * 2.0 / 3.0) << to_string(method);
+    const double exact = 2.0 / 3.0 * std::cos(start);
+    EXPECT_NEAR(left, exact, 0.01 * 2.0 / 3.0) << to_string(method);
+    RecordProperty(to_string(method), fmt::format("{:.3g}", left / exact - 1.0));
   }
 }
 
@@ -220,6 +224,8 @@ TEST(BarrierMomentum, IsKeptForLightAndHeavyBodies) {
       const Flight f = fly(bodies, net, 5e-3, friction, 0.4);
       EXPECT_GT(f.contacts, 3u) << share;
       EXPECT_LT(f.linear, 1e-9) << share << " friction " << friction;
+      RecordProperty(fmt::format("drift_at_{}_{}", share, friction),
+                     fmt::format("{:.3g}", f.linear));
     }
   }
 }
@@ -232,6 +238,8 @@ TEST(BarrierMomentum, AngularMomentumIsOfTheIntegratorsOrder) {
   const double fine = fly(bodies, net, 1e-3, 0.2, 0.2).angular;
   EXPECT_LT(fine, 0.5 * coarse) << coarse;
   EXPECT_LT(coarse, 0.02);
+  RecordProperty("coarse", fmt::format("{:.3g}", coarse));
+  RecordProperty("fine", fmt::format("{:.3g}", fine));
 }
 
 // No energy out of nothing: with the barrier's own energy counted, implicit Euler only loses.
@@ -244,6 +252,8 @@ TEST(BarrierEnergy, ImplicitEulerOnlyLoses) {
     EXPECT_LT(f.gain, 1e-9 * f.kinetic) << friction;
     EXPECT_GT(f.loss, 0.0) << friction;
     EXPECT_GT(f.least_loss, -1e-6 * f.kinetic) << friction;
+    RecordProperty(fmt::format("least_loss_{}", friction),
+                   fmt::format("{:.3g} of {:.3g}", f.least_loss / f.kinetic, f.loss / f.kinetic));
   }
 }
 

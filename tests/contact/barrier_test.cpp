@@ -4,7 +4,6 @@
 #include <optional>
 
 #include <Eigen/Eigenvalues>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -164,16 +163,17 @@ class Scene {
   void add_threads() {
     const double off = kRadius + 0.5 * kRange;
     net_.materials = {thread_material(100.0, 1e-2, kRadius)};
-    add({{0.0, 0, off}, {0.1, 0.01, off + 2e-4}});                // on the plane
-    add({{0.96, -0.1, 0.6 + off}, {1.05, 0.12, 0.6 + off}});      // across the sphere
-    add({{1, 0.1 + off, 0.48}, {1, 0.2, 0.49}});                  // its end on the sphere
-    add({{2.1 + off, 0.0, 0.04}, {2.2, 0.0, 0.05}});              // its end on the box's face
-    const double diagonal = off / std::sqrt(2.0);                 // across the box's edge
+    add({{0.0, 0, off}, {0.1, 0.01, off + 2e-4}});            // on the plane
+    add({{0.96, -0.1, 0.6 + off}, {1.05, 0.12, 0.6 + off}});  // across the sphere
+    add({{1, 0.1 + off, 0.48}, {1, 0.2, 0.49}});              // its end on the sphere
+    add({{2.1 + off, 0.0, 0.04}, {2.2, 0.0, 0.05}});          // its end on the box's face
+    const double diagonal = off / std::sqrt(2.0);             // across the box's edge
     add({{2.06 + diagonal, -0.02, 0.25 + diagonal}, {2.16 + diagonal, 0.03, 0.15 + diagonal}});
-    add({{2.95, 0.05 + off, 0.51}, {3.08, 0.05 + off, 0.48}});    // across the capsule
-    add({{5, -0.1, 0.5}, {5, 0.1, 0.51}});                        // two threads across each other
-    add({{4.93, 0.01, 0.506 + 2 * off - 0.5 * kRange}, {5.1, -0.02, 0.504 + 2 * off - 0.5 * kRange}});
-    add({{6, 0, 0.5}, {6.2, 0, 0.5}});                            // two nearly parallel ones
+    add({{2.95, 0.05 + off, 0.51}, {3.08, 0.05 + off, 0.48}});  // across the capsule
+    add({{5, -0.1, 0.5}, {5, 0.1, 0.51}});                      // two threads across each other
+    add({{4.93, 0.01, 0.506 + 2 * off - 0.5 * kRange},
+         {5.1, -0.02, 0.504 + 2 * off - 0.5 * kRange}});
+    add({{6, 0, 0.5}, {6.2, 0, 0.5}});  // two nearly parallel ones
     add({{6.01, 1e-3, 0.5 + off + kRadius}, {6.21, -1e-3, 0.5 + off + kRadius}});
   }
 

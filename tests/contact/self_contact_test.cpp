@@ -37,7 +37,8 @@ double closest(const Network& net, const std::vector<Vec3>& x, std::size_t apart
       const Segment &s = net.segments[i], &t = net.segments[j];
       if (s.thread == t.thread && j - i <= apart) continue;
       if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
-      least = std::min(least, distance(PairKind::edge_edge, {x[s.a], x[s.b], x[t.a], x[t.b]}).value);
+      least =
+          std::min(least, distance(PairKind::edge_edge, {x[s.a], x[s.b], x[t.a], x[t.b]}).value);
     }
   }
   return least;
@@ -68,7 +69,8 @@ std::vector<Vec3> overhand(double size, double piece, int straight) {
     return result;
   };
   std::vector<Vec3> begin = lead(points.front(), (points[0] - points[1]).normalized());
-  std::vector<Vec3> end = lead(points.back(), (points.back() - points[points.size() - 2]).normalized());
+  std::vector<Vec3> end =
+      lead(points.back(), (points.back() - points[points.size() - 2]).normalized());
   all.assign(begin.rbegin(), begin.rend());
   all.insert(all.end(), points.begin(), points.end());
   all.insert(all.end(), end.begin(), end.end());
@@ -155,7 +157,8 @@ TEST(Knot, AnOverhandKnotPulledTightStaysAKnot) {
   EXPECT_GT((length - span) / (2.0 * radius), 10.1);
   EXPECT_LT((length - span) / (2.0 * radius), 14.0);
   EXPECT_GT(least, 2.0 * radius);
-  ::testing::Test::RecordProperty("taken_up_over_thickness", std::to_string((length - span) / (2.0 * radius)));
+  ::testing::Test::RecordProperty("taken_up_over_thickness",
+                                  std::to_string((length - span) / (2.0 * radius)));
   ::testing::Test::RecordProperty("closest_over_thickness", std::to_string(least / (2.0 * radius)));
 }
 
@@ -196,9 +199,9 @@ Material soft_thread(double radius) {
 // A thread dropped across another that is held at its ends hangs over it, carried by it.
 TEST(Crossing, AThreadDroppedOnAnotherRestsOnIt) {
   const double radius = 1e-3, gap = 2e-4, g = 9.81;
-  const Network net = chains(
-      {line({-0.1, 0, 0}, {0.1, 0, 0}, 9), line({0, -0.06, 0.02}, {0, 0.06, 0.02}, 9)},
-      soft_thread(radius));
+  const Network net =
+      chains({line({-0.1, 0, 0}, {0.1, 0, 0}, 9), line({0, -0.06, 0.02}, {0, 0.06, 0.02}, 9)},
+             soft_thread(radius));
   const std::vector<Body> none;
   Simulation sim(net, none, initial_state(net, none));
   sim.configure({{0, 0, -g}, 4.0}, steps(4e-3), threads(gap, 0.3));
@@ -219,12 +222,11 @@ TEST(Crossing, AThreadDroppedOnAnotherRestsOnIt) {
 // A cup of fixed boxes, 60 mm wide inside and 120 mm deep.
 std::vector<Body> cup() {
   const double in = 0.03, wall = 0.01, deep = 0.12;
-  std::vector<Body> bodies{box({2 * (in + wall), 2 * (in + wall), wall}, 0, {0, 0, -0.5 * wall},
-                               BodyMotion::fixed)};
+  std::vector<Body> bodies{
+      box({2 * (in + wall), 2 * (in + wall), wall}, 0, {0, 0, -0.5 * wall}, BodyMotion::fixed)};
   for (const double side : {-1.0, 1.0}) {
     const double at = side * (in + 0.5 * wall);
-    bodies.push_back(
-        box({wall, 2 * (in + wall), deep}, 0, {at, 0, 0.5 * deep}, BodyMotion::fixed));
+    bodies.push_back(box({wall, 2 * (in + wall), deep}, 0, {at, 0, 0.5 * deep}, BodyMotion::fixed));
     bodies.push_back(box({2 * in, wall, deep}, 0, {0, at, 0.5 * deep}, BodyMotion::fixed));
   }
   return bodies;
