@@ -128,7 +128,7 @@ ExitCode run(const RunArguments& arguments) {
                    [&](bool done) { return finish(arguments, campaign, folder, done); });
   }
   // Tasks of a cluster share the folder, each with ids of its own.
-  std::optional<FolderLock> lock;
+  std::optional<CampaignLock> lock;
   if (arguments.ids.empty()) lock.emplace(folder);
   return finish(arguments, campaign, folder, run_processes(campaign, settings));
 }

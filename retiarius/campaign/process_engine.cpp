@@ -69,7 +69,7 @@ void prepare_campaign_folder(const fs::path& folder) {
 
 std::string shard_name(int slot) { return fmt::format("{}-{}-{}", host_name(), ::getpid(), slot); }
 
-FolderLock::FolderLock(const fs::path& folder) {
+CampaignLock::CampaignLock(const fs::path& folder) {
   const fs::path path = folder / "lock";
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) throw InputError(fmt::format("{}: {}", path.string(), std::strerror(errno)));
@@ -86,6 +86,6 @@ FolderLock::FolderLock(const fs::path& folder) {
                                folder.string(), std::strtol(bytes, nullptr, 10)));
 }
 
-FolderLock::~FolderLock() { ::close(file_); }
+CampaignLock::~CampaignLock() { ::close(file_); }
 
 }  // namespace retiarius

@@ -35,12 +35,12 @@ std::string shard_name(int slot);
 
 // Keeps a second coordinator on this machine out of the folder while it lives. Throws InputError
 // that names the process that is at work.
-class FolderLock {
+class CampaignLock {
  public:
-  explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
+  explicit CampaignLock(const std::filesystem::path& folder);
+  ~CampaignLock();
+  CampaignLock(const CampaignLock&) = delete;
+  CampaignLock& operator=(const CampaignLock&) = delete;
 
  private:
   int file_ = -1;

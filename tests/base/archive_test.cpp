@@ -109,9 +109,9 @@ TEST(Archive, RefusesAListLongerThanItsBytes) {
   writer(length);
   const std::string bytes = writer.take();
   std::vector<double> numbers;
-  EXPECT_THROW(Archive(bytes)(numbers), Error);
+  EXPECT_THROW(Archive{bytes}(numbers), Error);
   std::string text;
-  EXPECT_THROW(Archive(bytes)(text), Error);
+  EXPECT_THROW(Archive{bytes}(text), Error);
 }
 
 }  // namespace
