@@ -179,7 +179,7 @@ ExitCode run_mpi(const Campaign& campaign, const EngineSettings& settings,
   ExitCode code = kOk;
   try {
     if (rank == 0) {
-      const FolderLock lock(settings.folder);
+      const CampaignLock lock(settings.folder);
       code = finish(Coordinator(campaign, settings, ranks).run());
     } else {
       follow(campaign, settings, rank);
