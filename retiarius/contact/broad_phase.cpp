@@ -102,7 +102,7 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
     boxes_[at(s)] = widened(segment_box(s, Vec3::Zero()), 0.5 * margin);
   });
   if (options_.self) net_on_net(margin);
-  const auto count = options_.alone ? 0 : static_cast<Index>(scene_->bodies.size());
+  const auto count = bodies_left_out_ ? 0 : static_cast<Index>(scene_->bodies.size());
   for (Index k = 0; k < count; ++k) {
     if (scene_->bodies[at(k)].half_space) {
       net_on_plane(k, margin);

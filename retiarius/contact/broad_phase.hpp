@@ -24,7 +24,6 @@ class BroadPhase {
  public:
   struct Options {
     bool self = false;        // thread on thread
-    bool alone = false;       // that and nothing else
     std::vector<bool> fixed;  // of each body; empty: none
   };
 
@@ -36,8 +35,8 @@ class BroadPhase {
   const std::vector<ContactPair>& find(const std::vector<Vec3>& x, const std::vector<Vec3>& dx,
                                        const std::vector<BodyTwist>& bodies, double margin);
 
-  // From the next call on.
-  void leave_bodies_out(bool out) { options_.alone = out; }
+  // From the next call on: pairs of threads and nothing else.
+  void leave_bodies_out(bool out) { bodies_left_out_ = out; }
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
@@ -70,6 +69,7 @@ class BroadPhase {
   const CollisionScene* scene_;
   const ThreadNeighbours* neighbours_;
   Options options_;
+  bool bodies_left_out_ = false;
   std::vector<BodyTrees> trees_;
   const std::vector<Vec3>*x_ = nullptr, *dx_ = nullptr;
   const std::vector<BodyTwist>* twists_ = nullptr;
