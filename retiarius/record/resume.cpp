@@ -5,6 +5,7 @@
 #include "retiarius/base/error.hpp"
 #include "retiarius/record/history_csv.hpp"
 #include "retiarius/record/run_file.hpp"
+#include "retiarius/record/run_h5.hpp"
 
 namespace retiarius {
 
@@ -18,6 +19,7 @@ SavedRun usable(const fs::path& folder, const fs::path& checkpoint) {
   if (c.ended) return saved;
   if (c.progress.empty())
     throw InputError(fmt::format("{} holds a state alone, not a run", checkpoint.string()));
+  mend_run_file(folder / "run.h5");
   const RunFile file(folder / "run.h5");
   const std::size_t rows = file.history("time").size(), frames = file.frame_count();
   if (c.rows < 0 || c.frames < 0 || rows < static_cast<std::uint64_t>(c.rows) ||

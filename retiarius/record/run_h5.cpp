@@ -258,6 +258,22 @@ class RunH5::File {
   std::map<std::string, h5::Series> frames_;
 };
 
+void mend_run_file(const std::filesystem::path& path) {
+  constexpr std::streamoff kEndOfFileAddress = 28;  // in a superblock of version 2 or 3
+  std::array<unsigned char, 8> bytes{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(kEndOfFileAddress);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
+  std::uintmax_t stated = 0;
+  for (std::size_t k = 0; k < bytes.size(); ++k) stated |= std::uintmax_t{bytes[k]} << (8 * k);
+  // Far more than any write that failed: the bytes are not what they seem.
+  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 32;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && stated > size && stated - size < kMost)
+    std::filesystem::resize_file(path, stated, error);
+}
+
 template <class Call>
 void RunH5::guarded(const char* what, Call&& call) {
   if (broken_) return;
@@ -270,21 +286,10 @@ void RunH5::guarded(const char* what, Call&& call) {
   }
 }
 
-// On a full disk the file may end before the end that its own header states, and HDF5 refuses it
-// then. A hole makes up the difference: it needs no space on the disk and nothing refers to it.
 void RunH5::save_what_is_written() {
   file_.reset();
-  constexpr std::streamoff kEndOfFileAddress = 28;  // in a superblock of version 2 or 3
-  std::array<unsigned char, 8> bytes{};
-  std::ifstream stream(path_, std::ios::binary);
-  stream.seekg(kEndOfFileAddress);
-  if (!stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
-  std::uintmax_t stated = 0;
-  for (std::size_t k = 0; k < bytes.size(); ++k) stated |= std::uintmax_t{bytes[k]} << (8 * k);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path_, error);
-  if (!error && stated > size) std::filesystem::resize_file(path_, stated, error);
   // A failure here leaves the file as it is; the error that led here is the one to report.
+  mend_run_file(path_);
 }
 
 RunH5::RunH5(const std::filesystem::path& folder, std::string resolved, std::string version)

@@ -11,6 +11,11 @@ namespace retiarius {
 
 inline constexpr int kRunFileFormat = 1;
 
+// On a full disk the file may end before the end that its own header states, and HDF5 refuses it
+// then. A hole makes up the difference: it needs no space on the disk and nothing refers to it.
+// Where even that is impossible the file stays as it is.
+void mend_run_file(const std::filesystem::path& path);
+
 // Writes the file frame by frame in HDF5's single-writer-multiple-reader mode: metadata reach the
 // file after what they refer to, so that a process that is killed at any instant leaves a readable
 // file with all frames but perhaps the one being written; other processes may read while the run

@@ -1,5 +1,6 @@
 #include "retiarius/base/archive.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -109,9 +110,11 @@ TEST(Archive, RefusesAListLongerThanItsBytes) {
   writer(length);
   const std::string bytes = writer.take();
   std::vector<double> numbers;
-  EXPECT_THROW(Archive{bytes}(numbers), Error);
+  Archive first{bytes};
+  EXPECT_THROW(first(numbers), Error);
   std::string text;
-  EXPECT_THROW(Archive{bytes}(text), Error);
+  Archive second{bytes};
+  EXPECT_THROW(second(text), Error);
 }
 
 }  // namespace

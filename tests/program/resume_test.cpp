@@ -156,7 +156,7 @@ TEST(Resume, GoesOnAfterAFullDisk) {
   const WorkFolder folder;
   folder.write("m.toml", long_mission());
   testing::ProcessOptions options;
-  options.file_size = 150'000;
+  options.file_size = 400'000;
   ASSERT_EQ(folder.run({"run", "m.toml", "--out", "broken"}, options).exit_code, 1);
   const ProcessResult result = folder.run({"resume", "broken"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
