@@ -25,7 +25,7 @@ void expect_usage_error(const std::vector<std::string>& arguments, const std::st
 }
 
 TEST(Usage, WrongArgumentsAreNamedWithARemedy) {
-  expect_usage_error({}, "no command given; allowed: run, validate, new, info, export");
+  expect_usage_error({}, "no command given; allowed: run, resume, validate, new, info, export");
   expect_usage_error({"rnu"}, "there is no command rnu, did you mean run?");
   expect_usage_error({"--fast"}, "see `retiarius --help`");
   expect_usage_error({"run"}, "MISSION is required; see `retiarius run --help`");
