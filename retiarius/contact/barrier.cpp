@@ -100,8 +100,7 @@ void BarrierContact::begin(const Step& step) {
   const State& start = *step.start;
   const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
   const ContactPlaces at{&start.x, &start.bodies, &turns};
-  look_ahead(at, at);
-  for (const ContactPair& pair : broad_->pairs()) {
+  for (const ContactPair& pair : search(at, at)) {
     const double gap = distance(pair.kind, scene_.positions(pair, start.x, start.bodies)).value -
                        scene_.thickness(pair);
     if (gap > 0.0) continue;
