@@ -135,17 +135,13 @@ double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces
       shares_[k] = advance(motion, scene_.thickness(pairs[k]));
     }
   });
-  hindered_.clear();
+  blocked_.clear();
   double share = 1.0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (shares_[k] >= 1.0) continue;
     share = std::min(share, shares_[k]);
-    const std::array<PointPlace, 4> places = scene_.places(pairs[k]);
-    for (int i = 0; i < point_count(pairs[k].kind); ++i)
-      if (places[i].owner == kNet) hindered_.push_back(places[i].point);
+    blocked_.push_back(pairs[k]);
   }
-  std::sort(hindered_.begin(), hindered_.end());
-  hindered_.erase(std::unique(hindered_.begin(), hindered_.end()), hindered_.end());
   return share;
 }
 

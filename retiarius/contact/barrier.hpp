@@ -91,8 +91,8 @@ class BarrierContact {
   // next call must lie on this way.
   double look_ahead(const ContactPlaces& from, const ContactPlaces& to);
 
-  // Nodes of pairs that are too near on the last way looked along, ascending.
-  const std::vector<Index>& hindered() const { return hindered_; }
+  // The pairs that come too near on the last way looked along.
+  const std::vector<ContactPair>& blocked() const { return blocked_; }
 
   // The potential at a place, J (infinite where anything interpenetrates), with its derivatives
   // where `out` is given.
@@ -122,6 +122,7 @@ class BarrierContact {
   bool touches_itself() const { return spec_.self; }
   double range() const { return range_; }
   const CollisionScene& scene() const { return scene_; }
+  const Network& network() const { return *network_; }
 
  private:
   // A contact whose friction acts in this round.
@@ -185,7 +186,7 @@ class BarrierContact {
   const Step* step_ = nullptr;
   std::vector<Vec3> moves_;
   std::vector<BodyTwist> twists_;
-  std::vector<Index> hindered_;
+  std::vector<ContactPair> blocked_;
   std::vector<double> shares_;  // of each candidate, free of contact
   std::vector<char> near_;      // whether each candidate is within the range
   std::vector<BodyPlace> body_places_;

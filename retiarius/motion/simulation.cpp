@@ -224,7 +224,7 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   problem_->begin(std::move(start));
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
-  if (response_) {
+  if (response_ || barrier_) {
     settings.loose_step_tolerance = kLooseTolerance * length_scale_;
     settings.loose_residual_ratio = kLooseTolerance / integrator_.tolerance;
   }

@@ -8,9 +8,6 @@ namespace retiarius {
 
 namespace {
 
-// Rounds in which nodes that are hindered on their way to the first guess are put elsewhere.
-constexpr int kMostGuesses = 4;
-
 // Threads this many barrier ranges apart are taken into the pattern when it grows.
 constexpr double kNearReach = 8.0;
 
@@ -40,7 +37,7 @@ double StepProblem::add_barrier(Assembly& out) {
   sums.gradient = &gradient_;
   sums.body_gradient = &body_gradient_;
   sums.scale = reach;
-  sums.definite = out.definite;
+  sums.definite = project_contact_;
   if (out.hessian) {
     node_body_.clear();
     body_body_.clear();
@@ -93,52 +90,15 @@ void StepProblem::follow_couplings() {
   couple(std::move(couplings));
 }
 
-// Bodies start where their free motion leads, nodes at the guess where nothing is in their way.
-// Nodes that are hindered are put where the step's start is carried by the body nearest to them;
-// where that does not help, everything starts from the step's start.
-void StepProblem::free_guess() {
-  const Step& step = *start_.step;
-  const State& start = *step.start;
-  End from;
-  from.nodes = start.x;
-  from.bodies = start.bodies;
-  from.turns.assign(start.bodies.size(), Vec3::Zero());
-  for (int round = 0; round < kMostGuesses; ++round) {
-    find_end(end_);
-    if (start_.barrier->look_ahead(from.places(), end_.places()) >= 1.0) return;
-    for (const Index i : start_.barrier->hindered()) {
-      if (constraint_of_[i] != kNone) continue;
-      Vec3 carried = start.x[i];
-      double nearest = kInfinity;
-      for (std::size_t b = 0; b < start.bodies.size(); ++b) {
-        const double off = (start.x[i] - start.bodies[b].position).norm();
-        if (off >= nearest) continue;
-        nearest = off;
-        carried = to_world(start_.bodies[b], to_body(start.bodies[b], start.x[i]));
-      }
-      y_[i] = start.x[i] + (carried - start.x[i]) / step.reach;
-    }
-  }
-  y_ = start.x;
-  for (std::size_t b = 0; b < b_.size(); ++b) {
-    if ((*bodies_)[b].fixed) continue;
-    const BodyTwist back = motion_between(start_.bodies[b], start.bodies[b]);
-    b_[b] << back.translation, back.rotation;
-    b_[b] /= step.reach;
-  }
-  project_guess();
-  find_end(end_);
-  start_.barrier->look_ahead(from.places(), end_.places());
-}
-
-double StepProblem::free_share() {
-  if (!start_.barrier) return 1.0;
+double StepProblem::free_fraction(double wanted) {
+  if (!start_.barrier) return wanted;
   const Stopwatch watch(times_.contact);
+  move(0.0);
   find_end(end_);
-  move(1.0);
+  move(wanted);
   find_end(other_end_);
   move(0.0);
-  return start_.barrier->look_ahead(end_.places(), other_end_.places());
+  return wanted * start_.barrier->look_ahead(end_.places(), other_end_.places());
 }
 
 std::vector<PairContact> StepProblem::barrier_contacts() {

@@ -164,7 +164,7 @@ double StepProblem::potential() {
   return value;
 }
 
-double StepProblem::assemble(bool definite) {
+double StepProblem::assemble(Projected projected) {
   if (start_.barrier && start_.barrier->touches_itself()) grow_pattern();
   const Stopwatch watch(times_.assembly);
   if (matrix_.pattern != &pattern_) {
@@ -172,7 +172,8 @@ double StepProblem::assemble(bool definite) {
   } else {
     matrix_.set_zero();
   }
-  return sum_up({&gradient_, &matrix_, definite});
+  project_contact_ = projected != Projected::nothing;
+  return sum_up({&gradient_, &matrix_, projected == Projected::everything});
 }
 
 double StepProblem::evaluate() {
@@ -416,7 +417,7 @@ double StepProblem::residual_ratio() const {
 bool StepProblem::revise(bool full) {
   if (start_.barrier) {
     find_end(end_);
-    return full && start_.barrier->revise(end_.places());
+    return start_.barrier->revise(end_.places());
   }
   if (!start_.contact) return false;
   end_positions_ = end_positions(std::move(end_positions_));

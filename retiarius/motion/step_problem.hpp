@@ -64,13 +64,14 @@ class StepProblem final : public NewtonProblem {
   // The last start, to be filled again: its memory serves the next step.
   Start take_start() { return std::move(start_); }
 
-  double assemble(bool definite) override;
+  double assemble(Projected projected) override;
+  bool has_contact() const override { return start_.barrier != nullptr; }
   double evaluate() override;
   double potential() override;
   bool find_direction() override;
   void reuse_direction() override;
   double slope() const override;
-  double free_share() override;
+  double free_fraction(double wanted) override;
   void move(double fraction) override;
   void linearise() override;
   double direction_size() const override;
@@ -133,6 +134,9 @@ class StepProblem final : public NewtonProblem {
   void couple(std::vector<std::pair<Index, Index>> couplings);
   void follow_couplings();
   void free_guess();
+  void hold_together(std::vector<Vec3>& end);
+  void hold_at_bodies(std::vector<Vec3>& end);
+  void shorten_segments(std::vector<Vec3>& end) const;
   void find_end(End& end) const;
   double add_inertia(bool hessian);
   void collect_constraints();
@@ -161,6 +165,7 @@ class StepProblem final : public NewtonProblem {
   BlockPattern laws_pattern_;                         // what the laws couple
   BlockPattern pattern_;                              // and threads that touch each other
   std::vector<std::pair<Index, Index>> couplings_;    // of those
+  bool project_contact_ = false;                      // in the present assembly
   struct Neighbour {
     Index slot, node;
     bool row;  // whether this node is the row of the stored block

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,9 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr std::size_t kMemory = 3;  // iterates that a whole step may be compared with
 constexpr int kMostTrials = 40;     // of a shorter step
+int kMostRises = getenv("RISES") ? atoi(getenv("RISES")) : 2;
+constexpr double kLongest = 1e3;    // step, over Newton's
+constexpr double kSteep = 0.3;      // slope at a step's end, over that at its start
 
 // Ratios of the lengths of consecutive steps. Between 0.05 and 0.3 for the first and 0.2 and 0.5
 // for the second the cost of falling nets changes by a few per cent.
@@ -31,6 +36,7 @@ class Iteration {
   void choose_next(double size);
   double line_search();
   double shorten(double slope, double most, double high_slope);
+  double lengthen(double slope);
   void restart();
 
   NewtonProblem& problem_;
@@ -38,9 +44,11 @@ class Iteration {
   NewtonResult result_;
   double value_ = 0.0;          // the potential
   double recent_[kMemory];      // potentials of the last iterates
+  int rises_ = 0;
   std::size_t remembered_ = 0;  // of those
   double size_before_ = 0.0;    // of the last whole step; 0: none to compare with
   double ratio_before_ = 0.0;   // residual ratio after the last step
+  double most_ = 1.0;
   bool chord_ = false;          // the present direction comes from an old factorisation
   bool next_is_chord_ = false;  // ... and so will the next
 };
@@ -52,7 +60,7 @@ bool Iteration::find_direction() {
     problem_.reuse_direction();
     if (problem_.slope() <= 0.0) return true;
     chord_ = false;
-    value_ = problem_.assemble(false);
+    value_ = problem_.assemble(Projected::nothing);
   }
   return find_descent();
 }
@@ -62,7 +70,12 @@ bool Iteration::find_descent() {
   ++result_.factorisations;
   if (problem_.find_direction() && problem_.slope() <= 0.0) return true;
   ++result_.projections;
-  problem_.assemble(true);
+  if (problem_.has_contact()) {
+    problem_.assemble(Projected::contact);
+    if (problem_.find_direction() && problem_.slope() <= 0.0) return true;
+    if (getenv("TRACE")) fprintf(stderr, "all\n");
+  }
+  problem_.assemble(Projected::everything);
   return problem_.find_direction() && problem_.slope() <= 0.0;
 }
 
@@ -90,20 +103,24 @@ double Iteration::line_search() {
     ++remembered_;
   recent_[remembered_ - 1] = value_;
   const double reference = *std::max_element(recent_, recent_ + remembered_);
-  const double most = problem_.free_share();
+  const double most = problem_.free_fraction(1.0);
+  most_ = most;
   if (most < 1.0) {
     next_is_chord_ = false;
     size_before_ = 0.0;
   }
   problem_.move(most);
-  const double trial = next_is_chord_ ? problem_.evaluate() : problem_.assemble(false);
-  const bool falls = trial <= reference + kArmijo * most * slope;
+  const double trial = next_is_chord_ ? problem_.evaluate() : problem_.assemble(Projected::nothing);
+  const bool descends = trial <= value_ + kArmijo * most * slope;
+  const bool falls =
+      descends || (rises_ < kMostRises && trial <= reference + kArmijo * most * slope);
   const bool level =
       std::abs(trial - value_) <= noise && std::abs(problem_.slope()) <= 0.9 * std::abs(slope);
   const bool still = std::abs(slope) <= noise;
   if (std::isfinite(trial) && (falls || level || still)) {
+    rises_ += descends ? 0 : 1;
     value_ = trial;
-    return most;
+    return most == 1.0 && !chord_ && falls ? lengthen(slope) : most;
   }
   const double fraction = shorten(slope, most, std::isfinite(trial) ? problem_.slope() : -1.0);
   if (fraction > 0.0) restart();
@@ -138,15 +155,40 @@ double Iteration::shorten(double slope, double most, double high_slope) {
   return best;
 }
 
+// Goes on beyond the whole step while the potential falls there nearly as steeply as at its start
+// (the matrix was projected, or the potential is nearly straight): by the secant of the slopes, at
+// most fourfold at a time.
+double Iteration::lengthen(double slope) {
+  double at = 1.0, here = problem_.slope();
+  bool tried = false;
+  while (at < kLongest && here < kSteep * slope) {
+    const double secant = here < 0.9 * slope ? at * 4.0 : at * std::min(4.0, slope / (slope - here));
+    const double next = problem_.free_fraction(secant);
+    if (next <= 1.2 * at) break;
+    tried = true;
+    problem_.move(next);
+    const double trial = problem_.evaluate();
+    if (!std::isfinite(trial) || trial > value_ + kArmijo * (next - at) * here) break;
+    at = next;
+    value_ = trial;
+    here = problem_.slope();
+  }
+  if (!tried) return at;
+  problem_.move(at);
+  restart();
+  return at;
+}
+
 // Assembles at the present iterate; what was learned of the steps' lengths is forgotten.
 void Iteration::restart() {
-  value_ = problem_.assemble(false);
+  value_ = problem_.assemble(Projected::nothing);
   next_is_chord_ = false;
   size_before_ = 0.0;
 }
 
 NewtonResult Iteration::run() {
-  value_ = problem_.assemble(false);
+  if (getenv("TRACE")) fprintf(stderr, "start\n");
+  value_ = problem_.assemble(Projected::nothing);
   while (result_.iterations < settings_.max_iterations) {
     if (!std::isfinite(value_)) {
       result_.failure = "the potential is not finite";
@@ -171,6 +213,7 @@ NewtonResult Iteration::run() {
       return result_;
     }
     const double moved = size * fraction;
+    if (getenv("TRACE")) fprintf(stderr, "  it %d size %.3g most %.3g frac %.3g value %.9g slope %.3g res %.3g chord %d proj %d\n", result_.iterations, size, most_, fraction, value_, problem_.slope(), problem_.residual_ratio(), (int)chord_, result_.projections);
     const double ratio = problem_.residual_ratio();
     if (chord_ && next_is_chord_ && ratio > 0.5 * ratio_before_ && ratio > 1.0) restart();
     ratio_before_ = ratio;
@@ -179,6 +222,7 @@ NewtonResult Iteration::run() {
     const bool loose = fraction == 1.0 && size <= settings_.loose_step_tolerance &&
                        ratio <= settings_.loose_residual_ratio;
     if ((full || loose) && problem_.revise(full)) {
+      if (getenv("TRACE")) fprintf(stderr, " revise\n");
       remembered_ = 0;
       restart();
       continue;
@@ -197,7 +241,7 @@ NewtonResult Iteration::run() {
 NewtonResult update_once(NewtonProblem& problem) {
   NewtonResult result;
   result.iterations = result.factorisations = 1;
-  if (!std::isfinite(problem.assemble(false))) {
+  if (!std::isfinite(problem.assemble(Projected::nothing))) {
     result.failure = "the potential is not finite";
     return result;
   }
@@ -205,7 +249,7 @@ NewtonResult update_once(NewtonProblem& problem) {
   if (!result.converged) {
     ++result.factorisations;
     ++result.projections;
-    problem.assemble(true);
+    problem.assemble(Projected::everything);
     result.converged = problem.find_direction();
   }
   if (!result.converged) {

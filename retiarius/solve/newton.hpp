@@ -5,14 +5,20 @@
 
 namespace retiarius {
 
+// Whose blocks are projected to be positive semidefinite. Contact loses definiteness first and most
+// often; the laws then keep their curvature.
+enum class Projected { nothing, contact, everything };
+
 // What Newton's iteration needs to know of a problem; the problem keeps the iterate.
 class NewtonProblem {
  public:
   virtual ~NewtonProblem() = default;
 
   // Evaluates potential, gradient and Hessian at the present iterate and returns the potential.
-  // definite: every element's block projected to be positive semidefinite.
-  virtual double assemble(bool definite) = 0;
+  virtual double assemble(Projected projected) = 0;
+
+  // Whether anything is in contact, so that to project contact alone may help.
+  virtual bool has_contact() const { return false; }
 
   // The same without the Hessian; what was factorised last stays.
   virtual double evaluate() = 0;
@@ -30,9 +36,9 @@ class NewtonProblem {
   // Gradient (as last assembled) times direction: the potential's slope, negative for descent.
   virtual double slope() const = 0;
 
-  // The share of the direction, in (0, 1], along which the problem can be evaluated; asked once for
-  // each direction, before move().
-  virtual double free_share() { return 1.0; }
+  // How far the problem can be evaluated along the direction: a fraction in (0, wanted]. Asked
+  // before move() leads farther than the last answer.
+  virtual double free_fraction(double wanted) { return wanted; }
 
   // Puts the iterate at base + fraction * direction; base is where the direction was computed.
   virtual void move(double fraction) = 0;

@@ -29,10 +29,10 @@ class Scalars : public NewtonProblem {
   double residual_scale = 1e-12;
   std::vector<double> residuals;  // at each direction
 
-  double assemble(bool definite) override {
+  double assemble(Projected projected) override {
     gradient = slope_of(x);
     hessian = curvature(x);
-    if (definite) {
+    if (projected == Projected::everything) {
       const Eigen::SelfAdjointEigenSolver<Matrix> eigen(hessian);
       hessian = eigen.eigenvectors() *
                 eigen.eigenvalues().cwiseMax(1e-3).asDiagonal().toDenseMatrix() *
