@@ -37,7 +37,6 @@ void StepProblem::free_guess() {
   for (int round = 0; round < kMostRounds; ++round) {
     find_end(end_);
     share = start_.barrier->look_ahead(from.places(), end_.places());
-    if (getenv("TRACE")) fprintf(stderr, "round %d share %g blocked %zu\n", round, share, start_.barrier->blocked().size());
     if (share >= 1.0) return;
     std::vector<Vec3>& end = end_.nodes;
     hold_together(end);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -14,9 +12,10 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr std::size_t kMemory = 3;  // iterates that a whole step may be compared with
 constexpr int kMostTrials = 40;     // of a shorter step
-int kMostRises = getenv("RISES") ? atoi(getenv("RISES")) : 2;
+constexpr int kMostRises = 2;       // to iterates higher than the one before
 constexpr double kLongest = 1e3;    // step, over Newton's
 constexpr double kSteep = 0.3;      // slope at a step's end, over that at its start
+constexpr double kGrowth = 4.0;     // of a step that is made longer, at a time
 
 // Ratios of the lengths of consecutive steps. Between 0.05 and 0.3 for the first and 0.2 and 0.5
 // for the second the cost of falling nets changes by a few per cent.
@@ -44,11 +43,10 @@ class Iteration {
   NewtonResult result_;
   double value_ = 0.0;          // the potential
   double recent_[kMemory];      // potentials of the last iterates
-  int rises_ = 0;
+  int rises_ = 0;               // accepted so far
   std::size_t remembered_ = 0;  // of those
   double size_before_ = 0.0;    // of the last whole step; 0: none to compare with
   double ratio_before_ = 0.0;   // residual ratio after the last step
-  double most_ = 1.0;
   bool chord_ = false;          // the present direction comes from an old factorisation
   bool next_is_chord_ = false;  // ... and so will the next
 };
@@ -73,7 +71,6 @@ bool Iteration::find_descent() {
   if (problem_.has_contact()) {
     problem_.assemble(Projected::contact);
     if (problem_.find_direction() && problem_.slope() <= 0.0) return true;
-    if (getenv("TRACE")) fprintf(stderr, "all\n");
   }
   problem_.assemble(Projected::everything);
   return problem_.find_direction() && problem_.slope() <= 0.0;
@@ -90,10 +87,11 @@ void Iteration::choose_next(double size) {
 
 // Takes the whole step, or what is free of it, where the potential falls enough (Armijo) against
 // the largest of the last few iterates (Grippo, Lampariello and Lucidi 1986: where tension-only
-// threads become taut, the way down leads over small rises). Close to the minimum the fall drowns
-// in round-off; there a step counts as good if it leaves a smaller slope (Hager and Zhang 2005).
-// Else a shorter one is looked for. Returns the accepted fraction with the problem assembled there,
-// or 0.
+// threads become taut, the way down leads over small rises; more than a few of these are circles).
+// Close to the minimum the fall drowns in round-off; there a step counts as good if it leaves a
+// smaller slope (Hager and Zhang 2005). Else a shorter one is looked for, and a longer one where a
+// whole step ends on as steep a slope as it began. Returns the accepted fraction with the problem
+// assembled there, or 0.
 double Iteration::line_search() {
   const double slope = problem_.slope();
   const double noise = 1e-12 * std::abs(value_) + 1e-300;
@@ -104,7 +102,6 @@ double Iteration::line_search() {
   recent_[remembered_ - 1] = value_;
   const double reference = *std::max_element(recent_, recent_ + remembered_);
   const double most = problem_.free_fraction(1.0);
-  most_ = most;
   if (most < 1.0) {
     next_is_chord_ = false;
     size_before_ = 0.0;
@@ -160,12 +157,13 @@ double Iteration::shorten(double slope, double most, double high_slope) {
 // most fourfold at a time.
 double Iteration::lengthen(double slope) {
   double at = 1.0, here = problem_.slope();
-  bool tried = false;
+  if (here >= kSteep * slope) return at;
+  bool left = false;  // the place of the last assembly
   while (at < kLongest && here < kSteep * slope) {
-    const double secant = here < 0.9 * slope ? at * 4.0 : at * std::min(4.0, slope / (slope - here));
-    const double next = problem_.free_fraction(secant);
+    const double secant = here < 0.75 * slope ? kGrowth : slope / (slope - here);
+    const double next = problem_.free_fraction(at * secant);
     if (next <= 1.2 * at) break;
-    tried = true;
+    left = true;
     problem_.move(next);
     const double trial = problem_.evaluate();
     if (!std::isfinite(trial) || trial > value_ + kArmijo * (next - at) * here) break;
@@ -173,9 +171,8 @@ double Iteration::lengthen(double slope) {
     value_ = trial;
     here = problem_.slope();
   }
-  if (!tried) return at;
   problem_.move(at);
-  restart();
+  if (left) restart();
   return at;
 }
 
@@ -187,7 +184,6 @@ void Iteration::restart() {
 }
 
 NewtonResult Iteration::run() {
-  if (getenv("TRACE")) fprintf(stderr, "start\n");
   value_ = problem_.assemble(Projected::nothing);
   while (result_.iterations < settings_.max_iterations) {
     if (!std::isfinite(value_)) {
@@ -213,7 +209,6 @@ NewtonResult Iteration::run() {
       return result_;
     }
     const double moved = size * fraction;
-    if (getenv("TRACE")) fprintf(stderr, "  it %d size %.3g most %.3g frac %.3g value %.9g slope %.3g res %.3g chord %d proj %d\n", result_.iterations, size, most_, fraction, value_, problem_.slope(), problem_.residual_ratio(), (int)chord_, result_.projections);
     const double ratio = problem_.residual_ratio();
     if (chord_ && next_is_chord_ && ratio > 0.5 * ratio_before_ && ratio > 1.0) restart();
     ratio_before_ = ratio;
@@ -222,7 +217,6 @@ NewtonResult Iteration::run() {
     const bool loose = fraction == 1.0 && size <= settings_.loose_step_tolerance &&
                        ratio <= settings_.loose_residual_ratio;
     if ((full || loose) && problem_.revise(full)) {
-      if (getenv("TRACE")) fprintf(stderr, " revise\n");
       remembered_ = 0;
       restart();
       continue;
