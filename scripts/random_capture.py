@@ -106,6 +106,7 @@ def main():
         "[integrator]",
         f"step = {step}",
         "max_iterations = 100",
+        "tolerance = 1.0e-6",
         "[contact]",
         'method = "barrier"',
         f"friction = {friction}",

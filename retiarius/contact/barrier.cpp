@@ -20,6 +20,9 @@ constexpr double kCarriedStrain = 1e-3;
 // Pairs in one piece of parallel work.
 constexpr std::size_t kGrain = 64;
 
+// How far anything may move before pairs are looked for anew, over the barrier's range.
+constexpr double kSlack = 4.0;
+
 // The usual range of the barrier, over the radius of the thinnest thread.
 constexpr double kUsualGap = 0.25;
 
@@ -45,6 +48,7 @@ BarrierContact::BarrierContact(const Network& network, const std::vector<Body>& 
       spec_(spec),
       step_size_(step),
       range_(spec.gap > 0.0 ? spec.gap : kUsualGap * thinnest_radius(network)),
+      slack_(kSlack * range_),
       scene_(make_collision_scene(network, bodies)) {
   if (spec.self) neighbours_.emplace(network);
   broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, broad_options(bodies, spec.self));
@@ -97,6 +101,7 @@ std::string BarrierContact::name(const ContactPair& pair) const {
 
 void BarrierContact::begin(const Step& step) {
   step_ = &step;
+  searched_ = false;
   const State& start = *step.start;
   const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
   const ContactPlaces at{&start.x, &start.bodies, &turns};
@@ -113,7 +118,21 @@ void BarrierContact::begin(const Step& step) {
   rounds_ = 0;
 }
 
-// With the range as margin, so that what is in contact on the way is among the pairs found.
+// Whether nothing is farther than the slack from where it was when pairs were looked for last.
+bool BarrierContact::is_near_searched(const ContactPlaces& at) const {
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i)
+    if (((*at.nodes)[i] - searched_nodes_[i]).squaredNorm() > slack_ * slack_) return false;
+  for (std::size_t b = 0; b < searched_bodies_.size(); ++b) {
+    const BodyTwist way = motion_between(searched_bodies_[b], (*at.bodies)[b]);
+    const double turn = way.rotation.norm();
+    const double reach = turn > 0.0 ? turn * scene_.bodies[b].bounding_radius : 0.0;
+    if (way.translation.norm() + reach > slack_) return false;
+  }
+  return true;
+}
+
+// With the range as margin, so that what is in contact on the way is among the pairs found. For
+// short ways, as an iteration ends with, all within the slack of one place are found at once.
 const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from,
                                                        const ContactPlaces& to) {
   const Stopwatch watch(search_time_);
@@ -123,7 +142,15 @@ const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from
   twists_.clear();
   for (std::size_t b = 0; b < from.bodies->size(); ++b)
     twists_.push_back(motion_between((*from.bodies)[b], (*to.bodies)[b]));
-  return broad_->find(*from.nodes, moves_, twists_, range_);
+  if (searched_ && is_near_searched(from) && is_near_searched(to)) return broad_->pairs();
+  searched_nodes_ = *from.nodes;
+  searched_bodies_ = *from.bodies;
+  searched_ = is_near_searched(to);
+  if (!searched_) return broad_->find(*from.nodes, moves_, twists_, range_);
+  resting_.assign(n, Vec3::Zero());
+  resting_bodies_.clear();
+  for (const BodyState& pose : *from.bodies) resting_bodies_.push_back(at_rest(pose));
+  return broad_->find(*from.nodes, resting_, resting_bodies_, range_ + 2.0 * slack_);
 }
 
 double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces& to) {

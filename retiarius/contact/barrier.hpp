@@ -161,6 +161,7 @@ class BarrierContact {
   Vec3 world(const PointPlace& place, const ContactPlaces& at) const;
   bool is_near(const ContactPair& pair, const ContactPlaces& at, bool derivatives,
                Near& near) const;
+  bool is_near_searched(const ContactPlaces& at) const;
   const std::vector<ContactPair>& search(const ContactPlaces& from, const ContactPlaces& to);
   void mark_near(const ContactPlaces& at);
   double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
@@ -169,6 +170,11 @@ class BarrierContact {
   Vec3 slip(const Sliding& s, const ContactPlaces& at) const;
   void scatter(const std::array<PointPlace, 4>& places, int count, const Vec12& gradient,
                const Mat12* hessian, const ContactPlaces& at, ContactAssembly& out) const;
+  void scatter_net(const std::array<PointPlace, 4>& places, int count, const Mat12& hessian,
+                   ContactAssembly& out) const;
+  void scatter_body(const std::array<PointPlace, 4>& places, const std::array<Index, 4>& body,
+                    int begin, int end, const std::array<Mat36, 4>& moves, const Mat12& hessian,
+                    ContactAssembly& out) const;
   std::vector<Sliding> slidings(const ContactPlaces& at);
   void add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
                        const ContactPlaces& at) const;
@@ -177,7 +183,7 @@ class BarrierContact {
   const Network* network_;
   const std::vector<Body>* bodies_;
   ContactSpec spec_;
-  double step_size_, range_;
+  double step_size_, range_, slack_;
   CollisionScene scene_;
   std::optional<ThreadNeighbours> neighbours_;
   std::optional<BroadPhase> broad_;
@@ -187,6 +193,10 @@ class BarrierContact {
   std::vector<Vec3> moves_;
   std::vector<BodyTwist> twists_;
   std::vector<ContactPair> blocked_;
+  bool searched_ = false;  // all pairs within the slack of these places
+  std::vector<Vec3> searched_nodes_, resting_;
+  std::vector<BodyState> searched_bodies_;
+  std::vector<BodyTwist> resting_bodies_;
   std::vector<double> shares_;  // of each candidate, free of contact
   std::vector<char> near_;      // whether each candidate is within the range
   std::vector<BodyPlace> body_places_;

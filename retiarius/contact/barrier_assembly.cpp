@@ -166,24 +166,56 @@ void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
     }
   }
   if (!hessian) return;
+  scatter_net(places, count, *hessian, out);
+  // The points of one primitive belong to one body.
+  for (int begin = 0; begin < count;) {
+    int end = begin + 1;
+    while (end < count && places[end].owner == places[begin].owner) ++end;
+    if (body[begin] != kNone) scatter_body(places, body, begin, end, moves, *hessian, out);
+    begin = end;
+  }
+}
+
+// The blocks of pairs of nodes.
+void BarrierContact::scatter_net(const std::array<PointPlace, 4>& places, int count,
+                                 const Mat12& hessian, ContactAssembly& out) const {
   for (int i = 0; i < count; ++i) {
+    if (places[i].owner != kNet) continue;
+    const Index a = places[i].point;
+    out.hessian->diagonal[a] += out.scale * hessian.block<3, 3>(3 * i, 3 * i);
     for (int j = 0; j < count; ++j) {
-      const Mat3 h = out.scale * hessian->block<3, 3>(3 * i, 3 * j);
-      const bool net_i = places[i].owner == kNet, net_j = places[j].owner == kNet;
-      if (net_i && net_j) {
-        const Index a = places[i].point, c = places[j].point;
-        if (a == c) {
-          out.hessian->diagonal[a] += h;
-        } else if (a > c) {
-          out.hessian->below[out.hessian->pattern->slot(a, c)] += h;
-        }
-      } else if (net_i && body[j] != kNone) {
-        out.node_body->push_back({places[i].point, body[j], h * moves[j]});
-      } else if (body[i] != kNone && body[j] != kNone && body[i] <= body[j]) {
-        out.body_body->push_back({body[i], body[j], moves[i].transpose() * h * moves[j]});
-      }
+      const Index c = places[j].point;
+      if (places[j].owner != kNet || a <= c) continue;
+      out.hessian->below[out.hessian->pattern->slot(a, c)] +=
+          out.scale * hessian.block<3, 3>(3 * i, 3 * j);
     }
   }
+}
+
+// What the points [begin, end) of a body that moves do to all points.
+void BarrierContact::scatter_body(const std::array<PointPlace, 4>& places,
+                                  const std::array<Index, 4>& body, int begin, int end,
+                                  const std::array<Mat36, 4>& moves, const Mat12& hessian,
+                                  ContactAssembly& out) const {
+  Mat6 own = Mat6::Zero(), other = Mat6::Zero();
+  Index partner = kNone;
+  for (int i = 0; i < 4; ++i) {
+    const bool net = i < begin ? places[i].owner == kNet : i >= end && places[i].owner == kNet;
+    if (places[i].point == kNone || (!net && body[i] == kNone)) continue;
+    Mat36 row = Mat36::Zero();
+    for (int j = begin; j < end; ++j)
+      row.noalias() += out.scale * hessian.block<3, 3>(3 * i, 3 * j) * moves[j];
+    if (net) {
+      out.node_body->push_back({places[i].point, body[begin], row});
+    } else if (i >= begin && i < end) {
+      own.noalias() += moves[i].transpose() * row;
+    } else if (body[i] < body[begin]) {
+      other.noalias() += moves[i].transpose() * row;
+      partner = body[i];
+    }
+  }
+  out.body_body->push_back({body[begin], body[begin], own});
+  if (partner != kNone) out.body_body->push_back({partner, body[begin], other});
 }
 
 }  // namespace retiarius

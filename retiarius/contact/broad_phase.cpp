@@ -107,8 +107,7 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
     if (scene_->bodies[at(k)].half_space) {
       net_on_plane(k, margin);
     } else {
-      nodes_on_body(k, margin);
-      segments_on_body(k, margin);
+      net_on_body(k, margin);
     }
     for (Index other = k + 1; other < count; ++other)
       if (!(options_.fixed[at(k)] && options_.fixed[at(other)])) body_on_body(k, other, margin);
@@ -133,17 +132,28 @@ void BroadPhase::net_on_net(double margin) {
   });
 }
 
+// Most nodes belong to several segments: their boxes are made once.
+void BroadPhase::net_on_body(Index body, double margin) {
+  Box net;
+  for (const Box& box : boxes_) net.extend(box);
+  if (!widened(body_box(body), margin).intersects(net)) return;
+  const MovingAxes axes((*twists_)[at(body)]);
+  in_axes_.resize(x_->size());
+  each(in_axes_.size(), [&](Index n, Found&) { in_axes_[at(n)] = axes.box(node(n)); });
+  nodes_on_body(body, margin);
+  segments_on_body(body, margin);
+}
+
 void BroadPhase::nodes_on_body(Index body, double margin) {
   const BoxTree& tree = trees_[at(body)].triangles;
   if (tree.empty()) return;
-  const Box bounds = body_box(body);
-  const MovingAxes axes((*twists_)[at(body)]);
+  const Box bounds = tree.bounds();
   each(scene_->net.corners.size(), [&](Index k, Found& found) {
     const Index n = scene_->net.corners[at(k)];
-    const PointMotion path = node(n);
     const double reach = scene_->net.point_radius[at(n)] + margin;
-    if (!widened(world_box(path), reach).intersects(bounds)) return;
-    tree.visit(widened(axes.box(path), reach), [&](Index t) {
+    const Box box = widened(in_axes_[at(n)], reach);
+    if (!box.intersects(bounds)) return;
+    tree.visit(box, [&](Index t) {
       found.push_back({PairKind::point_triangle, kNet, n, body, t});
     });
   });
@@ -152,12 +162,9 @@ void BroadPhase::nodes_on_body(Index body, double margin) {
 void BroadPhase::segments_on_body(Index body, double margin) {
   const CollisionMesh& mesh = scene_->bodies[at(body)];
   const BoxTree& tree = trees_[at(body)].edges;
-  const Box bounds = widened(body_box(body), 0.5 * margin);
-  const MovingAxes axes((*twists_)[at(body)]);
   each(boxes_.size(), [&](Index s, Found& found) {
-    if (!boxes_[at(s)].intersects(bounds)) return;
     const auto& [a, b] = scene_->net.edges[at(s)];
-    const Box box = widened(axes.box(node(a)).merged(axes.box(node(b))),
+    const Box box = widened(in_axes_[at(a)].merged(in_axes_[at(b)]),
                             scene_->net.edge_radius[at(s)] + radius_of(mesh) + margin);
     if (is_sphere(mesh)) {
       if (box.contains(mesh.points[0])) found.push_back({PairKind::point_edge, body, 0, kNet, s});

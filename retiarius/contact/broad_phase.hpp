@@ -57,6 +57,7 @@ class BroadPhase {
   PointMotion point(Index body, Index k) const;
 
   void net_on_net(double margin);
+  void net_on_body(Index body, double margin);
   void nodes_on_body(Index body, double margin);
   void segments_on_body(Index body, double margin);
   void net_on_plane(Index body, double margin);
@@ -77,6 +78,7 @@ class BroadPhase {
   BoxTree net_tree_;
   std::vector<Box> boxes_;     // of segments, in world axes
   std::vector<Box> drifting_;  // the same without the mean motion
+  std::vector<Box> in_axes_;   // of nodes, in the axes of a body
   std::vector<Found> parts_;   // what each range of a loop found
   std::size_t used_parts_ = 0;
   Found pairs_;

@@ -3,19 +3,6 @@
 #include <cmath>
 
 namespace retiarius {
-namespace {
-
-// exp([turn]x) v.
-Vec3 turned(const Vec3& turn, const Vec3& v) {
-  const double angle = turn.norm();
-  if (!(angle > 0.0)) return v;
-  const Vec3 axis = turn / angle;
-  const double half = std::sin(0.5 * angle);
-  // 1 - cos without cancellation.
-  return v + std::sin(angle) * axis.cross(v) + 2.0 * half * half * axis.cross(axis.cross(v));
-}
-
-}  // namespace
 
 BodyTwist motion_between(const BodyState& start, const BodyState& end) {
   Quat turn = end.attitude * start.attitude.conjugate();
@@ -31,11 +18,18 @@ BodyTwist at_rest(const BodyState& state) {
   return {state.position, state.attitude, Vec3::Zero(), Vec3::Zero()};
 }
 
-Vec3 PointMotion::at(double t) const { return anchor + t * move + turned(t * turn, arm); }
+Vec3 PointMotion::turned(double t) const {
+  const double angle = t * turn.norm();
+  if (!(angle > 0.0)) return arm;
+  const Vec3 axis = t * turn / angle;
+  const double half = std::sin(0.5 * angle);
+  // 1 - cos without cancellation.
+  return arm + std::sin(angle) * axis.cross(arm) + 2.0 * half * half * axis.cross(axis.cross(arm));
+}
 
 Vec3 PointMotion::velocity(double t) const {
   if (turn.isZero(0.0)) return move;
-  return move + turn.cross(turned(t * turn, arm));
+  return move + turn.cross(turned(t));
 }
 
 double PointMotion::largest_acceleration() const {

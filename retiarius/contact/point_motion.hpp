@@ -29,9 +29,13 @@ struct PointMotion {
   Vec3 arm = Vec3::Zero();
   Vec3 turn = Vec3::Zero();
 
-  Vec3 at(double t) const;
+  Vec3 at(double t) const {
+    const Vec3 straight = anchor + t * move;
+    return turn.isZero(0.0) ? Vec3(straight + arm) : Vec3(straight + turned(t));
+  }
   Vec3 velocity(double t) const;        // dx/dt
   double largest_acceleration() const;  // bound of |d2x/dt2|
+  Vec3 turned(double t) const;          // exp(t [turn]x) arm
 };
 
 PointMotion node_motion(const Vec3& start, const Vec3& move);
