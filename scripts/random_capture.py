@@ -70,7 +70,7 @@ def main():
     mesh = round(side / n, 5)
     radius = rng.choice([0.0005, 0.00075, 0.001])
     speed = math.exp(rng.uniform(0.0, math.log(30.0)))
-    step = rng.choice([0.001, 0.002, 0.0025, 0.005, 0.01])
+    step = rng.choice([0.0025, 0.005, 0.01])
     friction = rng.choice([0.0, 0.1, 0.2, 0.4])
     own = rng.random() < 0.5
     distance = REACH + 0.2 * speed
