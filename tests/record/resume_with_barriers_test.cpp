@@ -1,16 +1,26 @@
 // Runs with barrier contact that are interrupted and resumed leave what those that were not leave.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "retiarius/mission/reader.hpp"
+#include "retiarius/record/checkpoint.hpp"
+#include "retiarius/record/file.hpp"
 #include "retiarius/record/run_file.hpp"
 #include "tests/record/resumed_run.hpp"
+#include "tests/record/sample_run.hpp"
 
 namespace retiarius {
 namespace {
 
+using testing::Break;
 using testing::expect_resumes;
+using testing::expect_same_results;
+using testing::resume_in;
 using testing::ResumeCase;
+using testing::run_into;
+using testing::TemporaryFolder;
 
 // A small net is drawn together, its threads touching each other, is shot at a tumbling box, and
 // closed around it, with friction of both kinds.
@@ -120,6 +130,39 @@ TEST_P(ResumeWithBarriers, ACaptureLeavesWhatTheWholeRunLeaves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ResumeWithBarriers, ::testing::ValuesIn(cases()), testing::name_of);
+
+Mission mission(const std::vector<std::string>& overrides = {}) {
+  return parse_mission(capture_by_barriers(), "mission", ".", overrides);
+}
+
+// Also after parts of steps that had to be cut, between which no trigger is tested.
+TEST(ResumeWithBarriersOften, AfterEveryAcceptedStep) {
+  const Mission coarse =
+      mission({"integrator.step=0.02", "output.interval=0.02", "output.frame_interval=0.1"});
+  const TemporaryFolder folder;
+  run_into(folder / "whole", coarse);
+  RunReport report = run_into(folder / "broken", coarse, {{Break::Kind::stopped, 1}});
+  int within = 0;
+  while (report.outcome == Outcome::interrupted) {
+    const double time = read_checkpoint(folder / "broken").time;
+    if (std::abs(std::remainder(time, 0.02)) > 1e-6) ++within;
+    report = resume_in(folder / "broken", coarse, {{Break::Kind::stopped, 1}});
+  }
+  EXPECT_GT(within, 0);
+  expect_same_results(folder / "whole", folder / "broken");
+}
+
+// The row at the end of a run that is stopped before its first step comes from the checkpoint
+// alone.
+TEST(ResumeWithBarriersOften, TheCheckpointKnowsTheContacts) {
+  const TemporaryFolder folder;
+  run_into(folder / "broken", mission(), {{Break::Kind::stopped, 115}});
+  ASSERT_GT(RunFile(folder / "broken/run.h5").history("contact_energy").back(), 0.0);
+  const std::string rows = read_whole_file(folder / "broken/history.csv");
+  EXPECT_EQ(resume_in(folder / "broken", mission(), {{Break::Kind::stopped, 0}}).outcome,
+            Outcome::interrupted);
+  EXPECT_EQ(read_whole_file(folder / "broken/history.csv"), rows);
+}
 
 }  // namespace
 }  // namespace retiarius

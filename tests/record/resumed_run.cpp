@@ -44,7 +44,7 @@ class Breaker final : public Observer {
 
 RunReport run_stretch(const fs::path& folder, const Mission& mission,
                       const std::vector<Break>& breaks, bool resume) {
-  std::atomic<bool> stop = false;
+  std::atomic<bool> stop = !breaks.empty() && breaks.front().steps == 0;
   RecordOptions record;
   record.resolved = to_toml(mission);
   record.build = build_info();
