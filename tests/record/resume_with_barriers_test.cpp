@@ -156,7 +156,7 @@ TEST(ResumeWithBarriersOften, AfterEveryAcceptedStep) {
 // alone.
 TEST(ResumeWithBarriersOften, TheCheckpointKnowsTheContacts) {
   const TemporaryFolder folder;
-  run_into(folder / "broken", mission(), {{Break::Kind::stopped, 115}});
+  run_into(folder / "broken", mission(), {{Break::Kind::stopped, 81}});
   ASSERT_GT(RunFile(folder / "broken/run.h5").history("contact_energy").back(), 0.0);
   const std::string rows = read_whole_file(folder / "broken/history.csv");
   EXPECT_EQ(resume_in(folder / "broken", mission(), {{Break::Kind::stopped, 0}}).outcome,
