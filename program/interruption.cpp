@@ -1,7 +1,9 @@
 #include "program/interruption.hpp"
 
 #include <csignal>
+#include <mutex>
 #include <string_view>
+#include <thread>
 
 #include <unistd.h>
 
@@ -32,6 +34,23 @@ void handle(int signal, int flags) {
   sigaction(signal, &action, nullptr);
 }
 
+// SIGTERM is blocked in this thread and all that it starts from now on, and taken by a thread that
+// waits for it: whoever replaces its handler for a while, as METIS does, never sees it. A thread
+// from before runs the handler.
+void await_termination() {
+  sigset_t termination;
+  sigemptyset(&termination);
+  sigaddset(&termination, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &termination, nullptr);
+  static std::once_flag once;
+  std::call_once(once, [termination] {
+    std::thread([termination] {
+      for (int signal = 0;;)
+        if (::sigwait(&termination, &signal) == 0) request_stop(signal);
+    }).detach();
+  });
+}
+
 }  // namespace
 
 const std::atomic<bool>& catch_interruptions() {
@@ -39,6 +58,7 @@ const std::atomic<bool>& catch_interruptions() {
   handle(SIGINT, SA_RESTART | static_cast<int>(SA_RESETHAND));
   handle(SIGTERM, SA_RESTART);
   handle(SIGUSR1, SA_RESTART);
+  await_termination();
   return stop_requested;
 }
 

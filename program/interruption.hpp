@@ -6,7 +6,8 @@
 namespace retiarius::program {
 
 // From now on SIGINT, SIGTERM and SIGUSR1 set the flag that is returned, instead of ending the
-// process; a second SIGINT ends it at once.
+// process; a second SIGINT ends it at once. SIGTERM stays blocked in this thread and those that it
+// starts: a child process must unblock it.
 const std::atomic<bool>& catch_interruptions();
 
 // From now on a pipe that nobody reads any more and a limit on the size of files do not end the

@@ -29,21 +29,33 @@ void wait_for_answers(const std::vector<std::unique_ptr<WorkerProcess>>& workers
   ::poll(watched.data(), watched.size(), kLongestWait);
 }
 
+bool is_part(const Campaign& campaign, const EngineSettings& settings) {
+  return settings.first > 0 || settings.last < campaign.plan().runs();
+}
+
+// What is known when the engine starts; a rule of when to stop looks at all runs.
+std::vector<std::uint8_t> known_states(const Campaign& campaign, const EngineSettings& settings) {
+  if (campaign.spec().stop.width > 0.0) return read_progress(settings.folder, campaign).states;
+  return read_progress(settings.folder, campaign, settings.first, settings.last).states;
+}
+
 std::vector<std::unique_ptr<WorkerProcess>> make_workers(const Campaign& campaign,
                                                          const EngineSettings& settings) {
   std::vector<std::unique_ptr<WorkerProcess>> workers;
+  const std::string ids =
+      is_part(campaign, settings) ? ids_in_name(settings.first, settings.last) : "";
   for (int slot = 0; slot < settings.jobs; ++slot)
     workers.push_back(std::make_unique<WorkerProcess>(
         campaign, WorkerSettings{settings.program, campaign.spec().file, settings.folder,
-                                 shard_name(slot), settings.engine}));
+                                 ids + shard_name(slot), settings.engine}));
   return workers;
 }
 
 }  // namespace
 
 bool run_processes(const Campaign& campaign, const EngineSettings& settings) {
-  RunQueue queue(campaign.spec().stop, read_progress(settings.folder, campaign).states,
-                 settings.first, settings.last);
+  RunQueue queue(campaign.spec().stop, known_states(campaign, settings), settings.first,
+                 settings.last);
   const auto workers = make_workers(campaign, settings);
   if (settings.progress) settings.progress(queue);
   while (!queue.finished()) {

@@ -1,6 +1,7 @@
 #include "retiarius/campaign/shard.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 
 #include <fmt/format.h>
@@ -54,6 +55,13 @@ std::string different(const std::map<std::string, std::string>& meta,
   if (!is("program", identity.program))
     return fmt::format("another program ({}; this is {})", meta.at("program"), identity.program);
   return {};
+}
+
+// Whether the name says that no id from `first` to before `last` is in the shard.
+bool holds_others(const fs::path& path, std::int64_t first, std::int64_t last) {
+  long long low = 0, high = 0;
+  if (std::sscanf(path.filename().c_str(), "ids-%lld-%lld-", &low, &high) != 2) return false;
+  return high < first || low >= last;
 }
 
 }  // namespace
@@ -116,11 +124,21 @@ RunState run_state(const std::optional<bool>& success) {
   return *success ? kSuccess : kNoSuccess;
 }
 
+std::string ids_in_name(std::int64_t first, std::int64_t last) {
+  return fmt::format("ids-{}-{}-", first, last - 1);
+}
+
 Progress read_progress(const fs::path& folder, const Campaign& campaign) {
+  return read_progress(folder, campaign, 0, campaign.plan().runs());
+}
+
+Progress read_progress(const fs::path& folder, const Campaign& campaign, std::int64_t first,
+                       std::int64_t last) {
   Progress progress;
   progress.states.assign(static_cast<std::size_t>(campaign.plan().runs()), kNotDone);
   std::map<std::string, std::int64_t> outcomes;
   for (const fs::path& path : find_shards(folder)) {
+    if (holds_others(path, first, last)) continue;
     Database shard(path);
     if (!check_shard(shard, campaign.identity())) continue;
     ++progress.shards;

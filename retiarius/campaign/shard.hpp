@@ -58,6 +58,14 @@ struct Progress {
 // Reads all shards of the folder. Throws InputError as check_shard() does.
 Progress read_progress(const std::filesystem::path& folder, const Campaign& campaign);
 
+// The same without shards whose names say that they hold other ids than those from `first` to
+// before `last`: of ten thousand tasks, none need read what all others have written.
+Progress read_progress(const std::filesystem::path& folder, const Campaign& campaign,
+                       std::int64_t first, std::int64_t last);
+
+// What a shard's name begins with that holds these ids alone.
+std::string ids_in_name(std::int64_t first, std::int64_t last);
+
 // What a record says of the run itself, a line each; as far as repeating it must give the same.
 std::vector<std::string> content_lines(const RunRecord& record);
 

@@ -25,6 +25,10 @@ constexpr int kEarlyDeaths = 50;  // of workers in a row, before any run
   if (::getppid() != parent) ::_exit(127);
   // Ctrl-C reaches the whole group; the coordinator decides.
   std::signal(SIGINT, SIG_IGN);
+  // What the coordinator blocks, its workers do not.
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
   if (::dup2(orders, STDIN_FILENO) < 0 || ::dup2(answers, STDOUT_FILENO) < 0) ::_exit(127);
   ::close_range(3, ~0u, 0);
   ::execv(arguments[0], arguments);

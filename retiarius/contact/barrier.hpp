@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "retiarius/base/archive.hpp"
 #include "retiarius/base/block_matrix.hpp"
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/contact/broad_phase.hpp"
@@ -64,6 +65,9 @@ struct PairContact {
   Vec3 friction = Vec3::Zero();     // on the first primitive, N
   Vec3 slip = Vec3::Zero();         // tangential, of the first against the second, m
 };
+
+// Throws Error where bytes are no contact.
+void transfer(Archive& archive, PairContact& contact);
 
 // Incremental potential contact (Li et al. 2020) with the threads' and bodies' own thickness (Li
 // et al. 2021): every pair of primitives whose surfaces are nearer than the range r has the energy

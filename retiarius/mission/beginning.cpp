@@ -25,6 +25,8 @@ void check_resumable(const State& state, const MissionModel& model) {
               state.bodies.size() == model.bodies.size();
   for (const Touch& touch : state.touches)
     good = good && touch.node >= 0 && touch.node < nodes && touch.body >= 0 && touch.body < bodies;
+  good = good && state.memory.couplings.size() % 2 == 0;
+  for (const Index node : state.memory.couplings) good = good && node >= 0 && node < nodes;
   if (!good) throw InputError("resume: the saved state has other bodies than the mission");
 }
 

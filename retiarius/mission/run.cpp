@@ -29,6 +29,16 @@ bool is_fresh(const Mission& mission, const RunOptions& options) {
   return mission.net.state.empty() && !options.start;
 }
 
+// A checkpoint's content may be nonsense although its bytes are whole.
+void check_owners(const std::vector<PairContact>& contacts, std::size_t bodies) {
+  const auto known = [&](Index owner) {
+    return owner == kNet || (owner >= 0 && static_cast<std::size_t>(owner) < bodies);
+  };
+  for (const PairContact& contact : contacts)
+    if (!known(contact.pair.first_owner) || !known(contact.pair.second_owner))
+      throw Error("it has contacts of bodies that the mission does not have");
+}
+
 class MissionLoop {
  public:
   MissionLoop(const Mission& mission, const MissionModel& model, Observer& observer,
@@ -71,6 +81,7 @@ class MissionLoop {
   void check_strength();
   void check_energy(const HistoryRow& row);
   void fail(const std::string& reason);
+  bool stopped() const { return options_.stop && *options_.stop; }
 
   const Mission& mission_;
   Observer& observer_;
@@ -87,6 +98,7 @@ class MissionLoop {
   Index phase_index_ = 0;
   bool entered_ = false;  // the phase, in an earlier life of this run
   double phase_start_ = 0.0;
+  bool within_step_ = false;  // of the mission, of which a part was taken
   double fraction_ = 0.0;
   std::string broken_;
   bool told_unsettled_ = false;
@@ -147,15 +159,17 @@ void MissionLoop::run_phases() {
   report_.reason = broken_;
 }
 
-// Between two steps, where phases test their triggers: nothing else steers what follows.
+// Between two steps: nothing else steers what follows.
 void MissionLoop::transfer(Archive& archive) {
   archive(phase_index_);
   if (phase_index_ < 0 || phase_index_ >= static_cast<Index>(phases_.size()))
     throw Error("it is in a phase that the mission does not have");
   std::vector<double> tensions = simulation_.tensions();
-  archive(phase_start_, broken_, told_unsettled_, row_phase_, energy_scale_, first_gravity_energy_,
-          rows_, frames_, measures_, tensions);
+  std::vector<PairContact> contacts = simulation_.contacts();
+  archive(phase_start_, within_step_, broken_, told_unsettled_, row_phase_, energy_scale_,
+          first_gravity_energy_, rows_, frames_, measures_, tensions, contacts);
   if (tensions.size() != network_.segments.size()) throw Error("it has other segments");
+  check_owners(contacts, simulation_.bodies().size());
   std::int64_t ended = static_cast<std::int64_t>(report_.phases.size());
   archive(ended);
   report_.phases.resize(static_cast<std::size_t>(ended));
@@ -163,7 +177,7 @@ void MissionLoop::transfer(Archive& archive) {
   for (const auto& action : phases_[phase_index_].actions) action->transfer(archive);
   if (!archive.reads()) return;
   surround(*phases_[phase_index_].spec);
-  simulation_.resume(options_.resume->checkpoint.state, std::move(tensions));
+  simulation_.resume(options_.resume->checkpoint.state, std::move(tensions), std::move(contacts));
 }
 
 void MissionLoop::save(bool durable, bool ended) {
@@ -223,11 +237,11 @@ void MissionLoop::enter(Phase& phase, bool first) {
   if (first) write(false);
 }
 
-// False where the run was stopped from outside.
+// False where the run was stopped from outside. Triggers are tested between whole steps.
 bool MissionLoop::run_phase(Phase& phase) {
   const bool still = phase.spec->integrator.method == Method::static_solve;
-  while (!still && !phase.trigger.evaluate(trigger_values())) {
-    if (options_.stop && *options_.stop) {
+  while (!still && (within_step_ || !phase.trigger.evaluate(trigger_values()))) {
+    if (stopped()) {
       save(true);
       leave(phase, "interrupted");
       return false;
@@ -271,11 +285,13 @@ void MissionLoop::advance(Phase& phase) {
     const auto event = action->next_event(now);
     if (event && *event > now + kSameTime && *event < end - kSameTime) end = *event;
   }
-  do {
+  for (within_step_ = true; within_step_;) {
     const StepReport step =
         simulation_.advance(end, [&](double time) { return prescribe(phase, time); });
     after_step(phase, step);
-  } while (!adaptive && simulation_.state().time < end);
+    within_step_ = !adaptive && simulation_.state().time < end;
+    if (within_step_ && stopped()) return;
+  }
   bool acted = false;
   for (const auto& action : phase.actions) {
     const auto event = action->next_event(now);

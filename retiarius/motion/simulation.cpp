@@ -380,9 +380,11 @@ void Simulation::move_prescribed(const Step& step, const std::vector<Prescribed>
   }
 }
 
-void Simulation::resume(State state, std::vector<double> tensions) {
+void Simulation::resume(State state, std::vector<double> tensions,
+                        std::vector<PairContact> contacts) {
   state_ = std::move(state);
   tensions_ = std::move(tensions);
+  contacts_ = std::move(contacts);
 }
 
 void Simulation::place(const std::vector<Vec3>& x) {

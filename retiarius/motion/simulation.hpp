@@ -67,8 +67,8 @@ class Simulation {
   bool bodies_held() const { return bodies_held_; }
 
   // Goes on from a state of an earlier simulation of the same network and bodies, with the tensions
-  // (N) that its last step reported. To be called after configure().
-  void resume(State state, std::vector<double> tensions);
+  // (N) and contacts that its last step reported. To be called after configure().
+  void resume(State state, std::vector<double> tensions, std::vector<PairContact> contacts);
 
   // One accepted step towards time `end` (s); shorter where the whole did not converge, or where
   // the step is adaptive and the whole would be too inaccurate. Throws

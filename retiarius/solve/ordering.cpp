@@ -1,6 +1,7 @@
 #include "retiarius/solve/ordering.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <mutex>
 #include <numeric>
 
@@ -34,6 +35,34 @@ struct MetisGraph {
       starts.push_back(static_cast<idx_t>(neighbours.size()));
     }
   }
+};
+
+// METIS takes SIGTERM and SIGABRT over while it orders, ends with an error where SIGTERM comes, and
+// gives handlers back that serve once only. In a process of several threads it may even jump from
+// one thread into another. Here SIGTERM waits until METIS is done, and handlers are as before. The
+// signal may still reach other threads, whose owner blocks it there.
+class SignalsKept {
+ public:
+  SignalsKept() {
+    sigset_t termination;
+    sigemptyset(&termination);
+    sigaddset(&termination, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &termination, &mask_);
+    ::sigaction(SIGTERM, nullptr, &on_termination_);
+    ::sigaction(SIGABRT, nullptr, &on_abort_);
+  }
+  ~SignalsKept() {
+    ::sigaction(SIGTERM, &on_termination_, nullptr);
+    ::sigaction(SIGABRT, &on_abort_, nullptr);
+    ::pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
+  }
+  SignalsKept(const SignalsKept&) = delete;
+  SignalsKept& operator=(const SignalsKept&) = delete;
+
+ private:
+  sigset_t mask_{};
+  struct sigaction on_termination_ {
+  }, on_abort_{};
 };
 
 }  // namespace
@@ -83,6 +112,7 @@ std::vector<Index> nested_dissection(const Graph& graph, int seed) {
   // would disturb each other, and no result would repeat.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
+  const SignalsKept kept;
   const int status = METIS_NodeND(&count, part.starts.data(), part.neighbours.data(), nullptr,
                                   options, permutation.data(), inverse.data());
   if (status != METIS_OK) {

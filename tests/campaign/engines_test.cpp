@@ -1,6 +1,9 @@
 // The same database from every engine, bit for bit.
+#include <fstream>
+
 #include <gmock/gmock.h>
 
+#include "retiarius/campaign/shard.hpp"
 #include "tests/campaign/small_campaign.hpp"
 
 namespace retiarius {
@@ -88,6 +91,28 @@ TEST(Engines, ReplayEqualsTheRecord) {
   const std::string command = testing::query(folder, "o", "SELECT command FROM runs WHERE id = 3");
   EXPECT_EQ(command, "retiarius campaign replay " +
                          std::filesystem::canonical(folder.path()).string() + "/c.toml --id 3");
+}
+
+// Of ten thousand tasks that each read what all others wrote, none would get to work.
+TEST(Engines, PartsReadNoRowsOfOthers) {
+  const WorkFolder folder;
+  testing::write_small_campaign(folder, monte_carlo(9));
+  const std::vector<std::string> run = {"campaign", "run",    "c.toml", "--out",
+                                        "o",        "--jobs", "1",      "--ids"};
+  const auto part = [&](const std::string& ids) {
+    std::vector<std::string> arguments = run;
+    arguments.push_back(ids);
+    return folder.run(arguments);
+  };
+  ASSERT_EQ(part("0-4").exit_code, 0);
+  const auto shards = find_shards(folder / "o");
+  ASSERT_EQ(shards.size(), 1u);
+  EXPECT_THAT(shards[0].filename().string(), StartsWith("ids-0-4-"));
+  std::ofstream(shards[0]) << "no database, whatever its name may say";
+  EXPECT_EQ(part("5-8").exit_code, 0);
+  const ProcessResult both = part("4-5");
+  EXPECT_NE(both.exit_code, 0);
+  EXPECT_THAT(both.err, HasSubstr("ids-0-4-"));
 }
 
 TEST(Engines, SlurmJobIsAnArrayOfBatches) {

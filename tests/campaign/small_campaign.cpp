@@ -15,33 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kMission = R"(title = "A small net falls on a ball"
-[net]
-pattern = "hexagon"
-side = 1.0
-mesh = 0.5
-segments = 2
-[net.thread]
-young_modulus = 1.0e6
-density = 1000.0
-radius = 0.01
-[environment]
-gravity = [0.0, 0.0, -50.0]
-[target]
-shape = "sphere"
-radius = 0.2
-mass = 10.0
-position = [0.0, 0.0, -0.3]
-[integrator]
-step = 0.01
-[[phase]]
-kind = "free"
-until = "time >= 0.05"
-[output]
-interval = 0.01
-frame_interval = 0.05
-)";
-
 constexpr const char* kVariables = R"(
 [[variable]]
 name = "x"
@@ -65,7 +38,8 @@ length = 20
 
 void write_small_campaign(const WorkFolder& folder, const std::string& plan,
                           const std::string& more) {
-  folder.write("m.toml", kMission);
+  fs::copy_file(fs::path(RETIARIUS_SOURCE_DIR) / "tests/campaign/small-mission.toml",
+                folder / "m.toml", fs::copy_options::overwrite_existing);
   folder.write("c.toml", "mission = \"m.toml\"\n[plan]\n" + plan + kVariables + more);
 }
 

@@ -1,5 +1,7 @@
 // A run that is stopped in the middle keeps what it computed.
+#include <cmath>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -27,6 +29,20 @@ bool wait_for_rows(Process& process, const WorkFolder& folder, std::size_t rows)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
+}
+
+// Waits until the program takes SIGTERM instead of ending by it.
+void wait_until_ready(const Process& process) {
+  constexpr unsigned long kTermination = 1ul << (SIGTERM - 1);
+  const std::string name = "/proc/" + std::to_string(process.id()) + "/status";
+  for (int k = 0; k < 5000; ++k) {
+    std::ifstream file(name);
+    for (std::string line; std::getline(file, line);)
+      if (line.rfind("SigCgt:", 0) == 0 && (std::stoul(line.substr(7), nullptr, 16) & kTermination))
+        return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  FAIL() << "the program does not take SIGTERM";
 }
 
 class Interruption : public ::testing::TestWithParam<int> {};
@@ -58,6 +74,45 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interruption, ::testing::Values(SIGINT, SIGTER
                                   : instance.param == SIGTERM ? "SIGTERM"
                                                               : "SIGUSR1";
                          });
+
+// Nothing is written for a long time, but steps end.
+TEST(Interruption, NeedNotWaitForOutput) {
+  for (const char* adaptive : {"true", "false"}) {
+    const WorkFolder folder;
+    folder.write("m.toml", endless_mission());
+    Process process(
+        {"run", "m.toml", "--set", "output.interval=50.0", "--set", "output.frame_interval=50.0",
+         "--set", std::string("integrator.adaptive=") + adaptive},
+        folder.path());
+    while (!folder.has("out/m/checkpoint") && process.running())
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    process.send(SIGTERM);
+    const ProcessResult result = process.wait();
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    const double time = read_checkpoint(folder / "out/m").time;
+    EXPECT_GT(time, 0.0);
+    EXPECT_GT(std::abs(std::remainder(time, 50.0)), 1e-3);
+  }
+}
+
+// The order of elimination is found by METIS, which takes SIGTERM for a failure of its own; several
+// threads are there, of which any may get the signal.
+TEST(Interruption, DoesNotDisturbTheOrderOfElimination) {
+  const WorkFolder folder;
+  folder.write("m.toml", endless_mission());
+  for (int k = 0; k < 8; ++k) {
+    const std::string out = "out" + std::to_string(k);
+    Process process({"run", "m.toml", "--out", out, "--threads", "2", "--set", "net.mesh=0.02",
+                     "--set", "net.segments=2"},
+                    folder.path());
+    wait_until_ready(process);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 * k));
+    process.send(SIGTERM);
+    const ProcessResult result = process.wait();
+    EXPECT_EQ(result.exit_code, 4) << k << result.err;
+  }
+}
 
 TEST(Killing, LeavesReadableFiles) {
   const WorkFolder folder;

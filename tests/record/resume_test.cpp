@@ -1,8 +1,6 @@
 // A run that is interrupted or dies and is resumed leaves what one leaves that was not.
 #include "retiarius/record/resume.hpp"
 
-#include <random>
-
 #include <gmock/gmock.h>
 
 #include "retiarius/base/error.hpp"
@@ -16,9 +14,11 @@ namespace {
 
 using testing::Break;
 using testing::error_text;
+using testing::expect_resumes;
 using testing::expect_same_results;
 using ::testing::HasSubstr;
 using testing::resume_in;
+using testing::ResumeCase;
 using testing::run_into;
 using testing::run_with_breaks;
 using testing::TemporaryFolder;
@@ -173,14 +173,7 @@ frame_interval = 0.02
 )";
 }
 
-struct Case {
-  const char* name;
-  std::vector<std::string> overrides;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
-
-std::vector<Case> cases() {
+std::vector<ResumeCase> cases() {
   const auto method = [](const std::string& name) { return "integrator.method=" + name; };
   const std::string adaptive = "integrator.adaptive=true";
   return {
@@ -202,35 +195,17 @@ std::vector<Case> cases() {
   };
 }
 
-class Resume : public ::testing::TestWithParam<Case> {
- protected:
-  // Breaks at random but seeded steps, more or less one in each sixth of the run.
-  void expect_resumes(const std::string& text) {
-    const Mission mission =
-        parse_mission(text, "mission", RETIARIUS_SOURCE_DIR, GetParam().overrides);
-    const TemporaryFolder folder;
-    const RunReport whole = run_into(folder / "whole", mission);
-    ASSERT_EQ(whole.outcome, whole.phases.size() == 5 ? Outcome::broke : Outcome::finished)
-        << whole.reason;
-    std::int64_t steps = 0;
-    for (const Measure& m : whole.measures)
-      if (m.name == "steps") steps = std::get<std::int64_t>(m.value);
-    std::minstd_rand random(static_cast<unsigned>(std::string(GetParam().name).size()));
-    std::vector<Break> breaks;
-    for (int k = 0; k < 6; ++k)
-      breaks.push_back({k % 2 == 0 ? Break::Kind::stopped : Break::Kind::died,
-                        1 + static_cast<int>(random() % static_cast<unsigned>(steps / 5))});
-    EXPECT_GE(run_with_breaks(folder / "broken", mission, breaks), 3);
-    expect_same_results(folder / "whole", folder / "broken");
-  }
-};
+class Resume : public ::testing::TestWithParam<ResumeCase> {};
 
-TEST_P(Resume, ACaptureLeavesWhatTheWholeRunLeaves) { expect_resumes(capture()); }
+TEST_P(Resume, ACaptureLeavesWhatTheWholeRunLeaves) {
+  expect_resumes(capture(), GetParam(), Outcome::broke);
+}
 
-TEST_P(Resume, AMovedNetLeavesWhatTheWholeRunLeaves) { expect_resumes(moved()); }
+TEST_P(Resume, AMovedNetLeavesWhatTheWholeRunLeaves) {
+  expect_resumes(moved(), GetParam(), Outcome::finished);
+}
 
-INSTANTIATE_TEST_SUITE_P(Cases, Resume, ::testing::ValuesIn(cases()),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, ::testing::ValuesIn(cases()), testing::name_of);
 
 Mission small() { return parse_mission(moved(), "m", ".", {"output.frame_interval=0.1"}); }
 

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <atomic>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "retiarius/base/instruction_set.hpp"
+#include "retiarius/mission/reader.hpp"
 #include "retiarius/mission/run.hpp"
 #include "retiarius/mission/writer.hpp"
 #include "retiarius/record/file.hpp"
 #include "retiarius/record/recorders.hpp"
 #include "retiarius/record/resume.hpp"
 #include "retiarius/record/run_file.hpp"
+#include "tests/record/sample_run.hpp"
 
 namespace retiarius::testing {
 
@@ -41,7 +44,7 @@ class Breaker final : public Observer {
 
 RunReport run_stretch(const fs::path& folder, const Mission& mission,
                       const std::vector<Break>& breaks, bool resume) {
-  std::atomic<bool> stop = false;
+  std::atomic<bool> stop = !breaks.empty() && breaks.front().steps == 0;
   RecordOptions record;
   record.resolved = to_toml(mission);
   record.build = build_info();
@@ -146,6 +149,31 @@ void expect_same_results(const fs::path& one, const fs::path& other) {
       EXPECT_TRUE(read_whole_file(one / name) == read_whole_file(other / name)) << name;
     }
   }
+}
+
+std::ostream& operator<<(std::ostream& out, const ResumeCase& c) { return out << c.name; }
+
+std::string name_of(const ::testing::TestParamInfo<ResumeCase>& instance) {
+  return instance.param.name;
+}
+
+void expect_resumes(const std::string& text, const ResumeCase& changed, Outcome outcome,
+                    const std::function<void(const fs::path&)>& look) {
+  const Mission mission = parse_mission(text, "mission", RETIARIUS_SOURCE_DIR, changed.overrides);
+  const TemporaryFolder folder;
+  const RunReport whole = run_into(folder / "whole", mission);
+  ASSERT_EQ(whole.outcome, outcome) << whole.reason;
+  if (look) look(folder / "whole");
+  std::int64_t steps = 0;
+  for (const Measure& m : whole.measures)
+    if (m.name == "steps") steps = std::get<std::int64_t>(m.value);
+  std::minstd_rand random(static_cast<unsigned>(std::string(changed.name).size()));
+  std::vector<Break> breaks;
+  for (int k = 0; k < 6; ++k)
+    breaks.push_back({k % 2 == 0 ? Break::Kind::stopped : Break::Kind::died,
+                      1 + static_cast<int>(random() % static_cast<unsigned>(steps / 5))});
+  EXPECT_GE(run_with_breaks(folder / "broken", mission, breaks), 3);
+  expect_same_results(folder / "whole", folder / "broken");
 }
 
 }  // namespace retiarius::testing

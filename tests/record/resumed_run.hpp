@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "retiarius/mission/mission.hpp"
 #include "retiarius/mission/observer.hpp"
@@ -32,5 +36,19 @@ int run_with_breaks(const std::filesystem::path& folder, const Mission& mission,
 // Every file of both folders alike: bytes, and where timings or the order of writing differ, the
 // content.
 void expect_same_results(const std::filesystem::path& one, const std::filesystem::path& other);
+
+// What a mission is changed to for one of many tests.
+struct ResumeCase {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+
+std::ostream& operator<<(std::ostream& out, const ResumeCase& c);
+std::string name_of(const ::testing::TestParamInfo<ResumeCase>& instance);
+
+// Runs the mission with and without breaks at random but seeded steps, more or less one in each
+// sixth of the run, and compares what both leave. `look` sees the folder of the run without.
+void expect_resumes(const std::string& text, const ResumeCase& changed, Outcome outcome,
+                    const std::function<void(const std::filesystem::path&)>& look = {});
 
 }  // namespace retiarius::testing

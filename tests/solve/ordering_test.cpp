@@ -1,6 +1,9 @@
 #include "retiarius/solve/ordering.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -54,6 +57,33 @@ TEST(Ordering, SavesFillOnAGrid) {
 TEST(Ordering, MinimumDegreeMakesNoFillOnAStar) {
   const Graph graph = block_graph(test::star(50, 0));
   EXPECT_EQ(entries(graph, minimum_degree(graph)), 50 + 49);
+}
+
+std::atomic<int> caught{0};
+
+// METIS takes SIGTERM for a failure of its own; here it must not see any.
+TEST(Ordering, IsNotDisturbedByTermination) {
+  const Graph graph = block_graph(test::grid(100, 100));
+  const std::vector<Index> undisturbed = nested_dissection(graph, 1);
+  struct sigaction action {
+  }, before{};
+  action.sa_handler = [](int) { ++caught; };
+  sigemptyset(&action.sa_mask);
+  ASSERT_EQ(sigaction(SIGTERM, &action, &before), 0);
+  std::atomic<bool> over = false;
+  const pthread_t here = ::pthread_self();
+  std::thread sender([&] {
+    for (; !over; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+      ::pthread_kill(here, SIGTERM);
+  });
+  for (int k = 0; k < 3; ++k) {
+    const int earlier = caught;
+    EXPECT_EQ(nested_dissection(graph, 1), undisturbed);
+    EXPECT_GT(caught, earlier);  // it is not lost either
+  }
+  over = true;
+  sender.join();
+  ASSERT_EQ(sigaction(SIGTERM, &before, nullptr), 0);
 }
 
 }  // namespace
