@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "benchmarks/family.hpp"
+#include "benchmarks/flights.hpp"
+#include "benchmarks/missions.hpp"
 
 namespace retiarius::benchmarks {
 
@@ -12,8 +14,20 @@ namespace retiarius::benchmarks {
 std::string results_csv(const std::vector<Measurement>& measurements);
 std::string results_json(const std::vector<Measurement>& measurements);
 
+std::string flights_csv(const std::vector<FlightResult>& results);
+std::string missions_csv(const std::vector<MissionTime>& times);
+
+// The p of time ~ nodes^p between two sizes.
+double growth_exponent(const Measurement& small, const Measurement& large);
+// What of each thread's time is of use, against the run with fewer; at most about 1.
+double parallel_efficiency(const Measurement& one, const Measurement& more);
+
 // One line of the table that the program prints, and its heading; times in ms.
 std::string heading_text();
 std::string measurement_text(const Measurement& measurement);
+std::string flight_heading_text();
+std::string flight_text(const FlightResult& result);
+std::string mission_heading_text();
+std::string mission_text(const MissionTime& time);
 
 }  // namespace retiarius::benchmarks

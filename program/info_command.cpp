@@ -10,6 +10,7 @@
 #include "program/commands.hpp"
 #include "program/console.hpp"
 #include "program/text_table.hpp"
+#include "retiarius/mission/choices.hpp"
 #include "retiarius/mission/run.hpp"
 #include "retiarius/motion/simulation.hpp"
 
@@ -67,6 +68,18 @@ std::string step_section(const Mission& mission, const Network& network) {
   return "\nstep\n" + table.text();
 }
 
+// Indented like the tables.
+std::string choice_section(const Mission& mission, const MissionModel& model) {
+  const std::string text = choices_text(choices_of(mission, model));
+  if (text.empty()) return "";
+  std::string section = "\nchosen\n  ";
+  for (std::size_t k = 0; k + 1 < text.size(); ++k) {
+    section += text[k];
+    if (text[k] == '\n') section += "  ";
+  }
+  return section + "\n";
+}
+
 std::string mass_text(const Body& body) { return body.fixed ? "fixed" : quantity(body.mass, "kg"); }
 
 // Principal moments, the smallest first.
@@ -110,7 +123,8 @@ void add_info_command(CLI::App& app) {
     const MissionModel model(mission);
     if (!mission.title.empty()) print(mission.title + "\n\n");
     print(net_section(mission, model.network) + thread_section(model.network) +
-          step_section(mission, model.network) + body_section(model.bodies) + need_section(need));
+          step_section(mission, model.network) + choice_section(mission, model) +
+          body_section(model.bodies) + need_section(need));
   });
 }
 

@@ -53,6 +53,15 @@ RunOptions run_options(const RunArguments& arguments, const Mission& mission) {
   return options;
 }
 
+// Prints what was chosen for the run.
+class Choices : public Observer {
+ public:
+  void begin(const RunModel& model) override {
+    print(model.start_report);
+    flush_output();
+  }
+};
+
 // All that writes results or shows progress.
 std::unique_ptr<Observer> make_observers(const RunArguments& arguments, const Mission& mission,
                                          const fs::path& out) {
@@ -62,6 +71,7 @@ std::unique_ptr<Observer> make_observers(const RunArguments& arguments, const Mi
   options.build = build_info();
   options.build.kernels = kernel_name();
   std::unique_ptr<FanOut> observers = make_run_recorders(out, options);
+  if (!arguments.quiet) observers->add(std::make_unique<Choices>());
   if (!arguments.quiet && status_possible()) observers->add(std::make_unique<Progress>());
   return observers;
 }

@@ -1,10 +1,12 @@
-// retiarius-bench: our linear solver against others on the matrices of falling nets, in one run.
+// retiarius-bench: our linear solver against others on the matrices of falling nets, and our
+// integrators against plain ones, in one run.
 #include <map>
 #include <string>
 
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/family.hpp"
+#include "benchmarks/flights.hpp"
 #include "benchmarks/opponents/solvers.hpp"
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/forces/bending.hpp"
@@ -96,6 +98,31 @@ void steps(benchmark::internal::Benchmark* b) {
 BENCHMARK_CAPTURE(step, ours, make_net_solver)->Apply(steps);
 BENCHMARK_CAPTURE(step, cholmod_supernodal, make_cholmod_solver)->Apply(steps);
 BENCHMARK_CAPTURE(step, eigen_metis, make_eigen_metis_solver)->Apply(steps);
+
+// The first tenth of a second of a stiff net's flight, in which its threads snap taut.
+void flight(benchmark::State& state, Way way) {
+  set_threads(1);
+  Flight f;
+  f.segments = static_cast<int>(state.range(0));
+  f.way = way;
+  f.until = 0.1;
+  if (way == Way::euler) f.step = euler_step(f.segments);
+  for (auto _ : state) {
+    const FlightResult result = fly(f);
+    state.SetIterationTime(result.seconds);
+    state.counters["nodes"] = result.nodes;
+    state.SetLabel(result.taken);
+  }
+}
+
+void flights(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMillisecond)->ArgName("segments")->UseManualTime()->Iterations(3);
+  for (const int segments : {2, 4, 10}) b->Arg(segments);
+}
+
+BENCHMARK_CAPTURE(flight, automatic, Way::automatic)->Apply(flights);
+BENCHMARK_CAPTURE(flight, plain_explicit, Way::plain)->Apply(flights);
+BENCHMARK_CAPTURE(flight, implicit_euler, Way::euler)->Apply(flights);
 
 void nets(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMillisecond)->ArgNames({"n", "s"});

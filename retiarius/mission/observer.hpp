@@ -10,6 +10,7 @@
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/measure/history.hpp"
 #include "retiarius/measure/measures.hpp"
+#include "retiarius/mission/choices.hpp"
 #include "retiarius/mission/mission.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/state.hpp"
@@ -24,7 +25,8 @@ struct RunModel {
   const Mission* mission = nullptr;
   const Network* network = nullptr;
   const std::vector<Body>* bodies = nullptr;
-  std::string start_report;  // what automatic choices were made, a line each
+  std::vector<PhaseChoice> choices;  // of each phase
+  std::string start_report;          // what automatic choices were made, a line each, and why
   // The run goes on from a checkpoint: all up to there is told again first, then resumed().
   bool resumed = false;
 };

@@ -58,6 +58,8 @@ class MissionLoop {
     info_.mission = &mission;
     info_.network = &model.network;
     info_.bodies = &model.bodies;
+    info_.choices = choices_of(mission, simulation_);
+    info_.start_report = choices_text(info_.choices);
     if (options.resume) go_back(options.resume->checkpoint);
   }
 

@@ -15,19 +15,22 @@ const Table<EnvironmentSpec>& environment_table() {
 const Table<IntegratorSpec>& integrator_table() {
   static const Table<IntegratorSpec> table(
       {"integrator", "How time is stepped. A phase may override it.", "", false, {}},
-      {word("method", &IntegratorSpec::method,
-            {{"implicit-euler", Method::implicit_euler},
-             {"newmark", Method::newmark},
-             {"midpoint", Method::midpoint},
-             {"generalised-alpha", Method::generalised_alpha},
-             {"tr-bdf2", Method::tr_bdf2},
-             {"explicit", Method::explicit_differences},
-             {"static", Method::static_solve}},
-            "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, "
-            "generalised alpha and TR-BDF2 (damp only what the step does not resolve), explicit "
-            "central differences in sub-steps (for stiff nets of few segments a piece), or the "
-            "static equilibrium")
-           .not_yet({"auto"}),
+      {word(
+           "method", &IntegratorSpec::method,
+           {{"implicit-euler", Method::implicit_euler},
+            {"newmark", Method::newmark},
+            {"midpoint", Method::midpoint},
+            {"generalised-alpha", Method::generalised_alpha},
+            {"tr-bdf2", Method::tr_bdf2},
+            {"explicit", Method::explicit_differences},
+            {"static", Method::static_solve},
+            {"auto", Method::automatic}},
+           "implicit Euler (damps), Newmark with average acceleration, implicit midpoint, "
+           "generalised alpha and TR-BDF2 (damp only what the step does not resolve), explicit "
+           "central differences in sub-steps (for stiff nets of few segments a piece), or the "
+           "static equilibrium; auto takes explicit where its sub-steps are predicted to cost less "
+           "than steps of implicit Euler of like accuracy, else implicit Euler (adaptive, threads "
+           "that carry compression: TR-BDF2)"),
        word("solver", &IntegratorSpec::solver,
             {{"auto", Solver::automatic},
              {"direct", Solver::direct},

@@ -39,9 +39,13 @@ ExplicitStepper::Way way_to(const Prescribed& p, const std::vector<Prescribed>& 
 
 }  // namespace
 
+double longest_substep(double stable_step, const IntegratorSpec& integrator) {
+  const double most = kSafety * stable_step;
+  return integrator.substep > 0.0 ? std::min(most, integrator.substep) : most;
+}
+
 int explicit_substeps(double stable_step, const IntegratorSpec& integrator, double h) {
-  double most = kSafety * stable_step;
-  if (integrator.substep > 0.0) most = std::min(most, integrator.substep);
+  const double most = longest_substep(stable_step, integrator);
   const double count = std::ceil(h / most * (1.0 - 1e-9));
   if (count > 1e9)
     throw RunError(fmt::format(
@@ -54,7 +58,7 @@ int explicit_substeps(double stable_step, const IntegratorSpec& integrator, doub
 StepReport Simulation::advance_explicitly(double end, const PrescribedMotion& motion) {
   StepReport report;
   report.h = end - state_.time;
-  report.substeps = explicit_substeps(stable_step_, integrator_, report.h);
+  report.substeps = explicit_substeps(work_.stable_step, integrator_, report.h);
   ExplicitStepper::Job& job = job_;
   job.laws.clear();
   job.ways.clear();

@@ -20,6 +20,8 @@ const char* to_string(Method method) {
       return "tr-bdf2";
     case Method::static_solve:
       return "static";
+    case Method::automatic:
+      return "auto";
   }
   return "";
 }
@@ -27,7 +29,7 @@ const char* to_string(Method method) {
 std::string single_update_refusal(const IntegratorSpec& integrator, const ContactSpec& contact,
                                   bool bodies) {
   if (integrator.newton != Newton::single) return {};
-  if (integrator.method != Method::implicit_euler)
+  if (integrator.method != Method::implicit_euler && integrator.method != Method::automatic)
     return "needs method = \"implicit-euler\", whose damping it relies on";
   if (integrator.solver == Solver::pcg)
     return "needs a direct solver: what conjugate gradients leave would not be made up for";
@@ -85,6 +87,8 @@ Step make_step(Method method, const State& start, double h, double rho) {
       break;
     case Method::explicit_differences:
       throw Error("the explicit integrator solves for no stage");
+    case Method::automatic:
+      throw Error("the integrator is still to be chosen");
     case Method::generalised_alpha:
       set_generalised_alpha(generalised_alpha(rho), s);
       break;

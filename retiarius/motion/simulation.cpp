@@ -14,7 +14,6 @@
 #include "retiarius/motion/barrier_impulses.hpp"
 #include "retiarius/motion/contact_impulses.hpp"
 #include "retiarius/motion/integrator.hpp"
-#include "retiarius/motion/stable_step.hpp"
 
 namespace retiarius {
 
@@ -71,6 +70,10 @@ Simulation::Simulation(const Network& network, const std::vector<Body>& bodies, 
   lasting_laws_ = laws_.size();
   problem_ = std::make_unique<StepProblem>(network.mass, bodies, laws_, std::move(solver));
   length_scale_ = median_rest_length(network);
+  work_ = count_work(network);
+  work_.pairs = problem_->pattern().pairs();
+  work_.factor_flops = problem_->direct_solver().factor_flops();
+  work_.factor_entries = problem_->direct_solver().factor_entries();
   tensions_ = stretching_->tensions(state_.x);
 }
 
@@ -80,15 +83,17 @@ void Simulation::add_law(std::unique_ptr<Law> law) {
 
 void Simulation::configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                            const ContactSpec& contact) {
+  choice_ = choose(integrator, contact);
   // Accelerations belong to the surroundings and the method that they were made with.
   const bool same = environment.gravity == environment_.gravity &&
                     environment.damping == environment_.damping &&
-                    integrator.method == integrator_.method && integrator.rho == integrator_.rho;
+                    choice_.method == integrator_.method && integrator.rho == integrator_.rho;
   if (configured_ && !same) forget_acceleration();
   configured_ = true;
   environment_ = environment;
   check_newton(integrator, contact);
   integrator_ = integrator;
+  integrator_.method = choice_.method;
   contact_ = contact;
   laws_.resize(lasting_laws_);
   if (!environment.gravity.isZero(0.0))
@@ -96,17 +101,14 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
   if (environment.damping > 0.0)
     add_law(std::make_unique<EnvironmentDamping>(network_->mass, environment.damping));
   problem_->bind_laws();
-  problem_->iterate(iterates());
+  problem_->iterate(choice_.solver == Solver::pcg);
   response_.reset();
   barrier_.reset();
   // What touches goes on touching where the method stays.
   if (contact.method != ContactMethod::barrier) contacts_.clear();
   explicit_contact_.reset();
-  if (integrator.method == Method::explicit_differences) {
-    if (!explicit_) {
-      explicit_ = std::make_unique<ExplicitStepper>(*network_);
-      stable_step_ = stable_explicit_step(*network_).step;
-    }
+  if (choice_.method == Method::explicit_differences) {
+    if (!explicit_) explicit_ = std::make_unique<ExplicitStepper>(*network_);
     if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
       explicit_contact_ =
           std::make_unique<ExplicitContact>(*bodies_, node_radii(*network_), contact.friction);
@@ -133,30 +135,14 @@ void Simulation::check_newton(const IntegratorSpec& integrator, const ContactSpe
           "update takes tension-only ones far beyond where they become taut");
 }
 
-// Whether conjugate gradients are to solve the equations. Their number of iterations follows from
-// the spread of the eigenvalues of h^2 K / m, from 0 to (2 h / stable step)^2.
-bool Simulation::iterates() const {
-  if (integrator_.solver != Solver::automatic) return integrator_.solver == Solver::pcg;
-  if (integrator_.newton == Newton::single || !bodies_->empty()) return false;
-  if (integrator_.method == Method::static_solve ||
-      integrator_.method == Method::explicit_differences)
-    return false;
-  // Times in ns, measured on nets.
-  constexpr double kBlock = 5.0, kNode = 12.0, kFlop = 0.04, kEntry = 1.2, kGain = 0.5;
-  const double ratio = 2.0 * integrator_.step / stable_explicit_step(*network_).step;
-  const double iterations = 0.5 * std::sqrt(1.0 + ratio * ratio) * std::log(2.0 / kPcgTolerance);
-  const double nodes = network_->node_count(), pairs = problem_->pattern().pairs();
-  const double gradients = iterations * (kBlock * (nodes + 2.0 * pairs) + kNode * nodes);
-  const LinearSolver& direct = problem_->direct_solver();
-  const double factor = kFlop * direct.factor_flops() + kEntry * direct.factor_entries();
-  return gradients < kGain * factor;
+Choice Simulation::choose(const IntegratorSpec& integrator, const ContactSpec& contact) const {
+  return retiarius::choose(work_, integrator, contact, !bodies_->empty());
 }
 
 // Where threads may be slack, the Hessian jumps and an old factorisation seldom serves.
 bool Simulation::reuses_factors() const {
-  if (integrator_.solver != Solver::automatic) return integrator_.solver == Solver::reuse;
-  return std::all_of(network_->materials.begin(), network_->materials.end(),
-                     [](const Material& m) { return m.compression; });
+  return integrator_.solver == Solver::automatic ? work_.compression
+                                                 : integrator_.solver == Solver::reuse;
 }
 
 // Forces cannot be known better than the rounding of strains lets them: of 1, and of positions

@@ -11,6 +11,7 @@
 #include "retiarius/forces/bending.hpp"
 #include "retiarius/forces/spec.hpp"
 #include "retiarius/forces/stretching.hpp"
+#include "retiarius/motion/choice.hpp"
 #include "retiarius/motion/explicit_stepper.hpp"
 #include "retiarius/motion/spec.hpp"
 #include "retiarius/motion/step_problem.hpp"
@@ -39,9 +40,11 @@ struct StepReport {
   bool single = false;  // by a single Newton update, which is not converged
 };
 
-// The sub-steps that the explicit integrator takes in a step of length h (s): the smallest number
-// that brings them to integrator.substep, where given, and to nine tenths of the stable step (s;
-// see stable_explicit_step). Throws RunError beyond a thousand million.
+// The longest sub-step of the explicit integrator, s: integrator.substep, where given, and at most
+// nine tenths of the stable step (s; see stable_explicit_step).
+double longest_substep(double stable_step, const IntegratorSpec& integrator);
+// The smallest number of equal sub-steps of at most that length in a step of length h (s). Throws
+// RunError beyond a thousand million.
 int explicit_substeps(double stable_step, const IntegratorSpec& integrator, double h);
 
 // The state at the mission's start: the network's initial positions and velocities, bodies' initial
@@ -57,7 +60,8 @@ class Simulation {
              LawWrapper wrap = {}, std::unique_ptr<LinearSolver> solver = make_net_solver());
 
   // Sets surroundings, integrator and contact for the steps that follow. Throws Error where a
-  // single Newton update (see Newton) is asked for and cannot serve.
+  // single Newton update (see Newton) is asked for and cannot serve. Method::automatic is replaced
+  // by what choose() takes.
   void configure(const EnvironmentSpec& environment, const IntegratorSpec& integrator,
                  const ContactSpec& contact);
 
@@ -89,7 +93,11 @@ class Simulation {
   const Network& network() const { return *network_; }
   const std::vector<Body>& bodies() const { return *bodies_; }
   const EnvironmentSpec& environment() const { return environment_; }
+  // As configured, with the method that was taken where that was to be chosen.
   const IntegratorSpec& integrator() const { return integrator_; }
+  // What would be taken under these settings; of those in force and why.
+  Choice choose(const IntegratorSpec& integrator, const ContactSpec& contact) const;
+  const Choice& choice() const { return choice_; }
 
   // Of the last accepted step: each segment's tension, viscous part included, N.
   const std::vector<double>& tensions() const { return tensions_; }
@@ -127,7 +135,6 @@ class Simulation {
   void free_bodies(double h, std::vector<BodyState>& result) const;
   double round_off_step() const;
   void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
-  bool iterates() const;
   bool reuses_factors() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed,
@@ -139,6 +146,8 @@ class Simulation {
   const std::vector<Body>* bodies_;
   EnvironmentSpec environment_;
   IntegratorSpec integrator_;
+  Choice choice_;
+  WorkCounts work_;
   ContactSpec contact_;
   State state_;
   LawWrapper wrap_;
@@ -151,7 +160,6 @@ class Simulation {
   std::unique_ptr<BarrierContact> barrier_;
   std::vector<PairContact> contacts_;  // of the barrier, at the end of the last step
   std::unique_ptr<ExplicitStepper> explicit_;
-  double stable_step_ = 0.0;  // of the explicit integrator, s
   std::unique_ptr<ExplicitContact> explicit_contact_;
   std::vector<double> tensions_;
   // Of the last stage: what the laws alone changed of each node's velocity, m/s; what their outside

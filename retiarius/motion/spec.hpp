@@ -10,7 +10,8 @@ enum class Method {
   generalised_alpha,
   tr_bdf2,
   explicit_differences,
-  static_solve
+  static_solve,
+  automatic  // explicit_differences where that is predicted to cost less; see motion/choice.hpp
 };
 
 // How a step's equations are solved: with a new factorisation for every iteration (direct), with

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "retiarius/base/error.hpp"
+#include "retiarius/motion/integrator.hpp"
 #include "retiarius/record/file.hpp"
 
 namespace retiarius {
@@ -94,6 +95,24 @@ const char* phase_kind_name(PhaseKind kind) {
   throw Error("a phase of unknown kind");
 }
 
+namespace {
+
+// Of the phases whose mission leaves something to be chosen.
+Json choices_json(const std::vector<PhaseChoice>& choices) {
+  Json list = Json::array();
+  for (const auto& [phase, choice] : choices) {
+    Json one = {{"phase", phase}};
+    if (!choice.method_reason.empty())
+      one["integrator"] = {{"taken", to_string(choice.method)}, {"reason", choice.method_reason}};
+    if (!choice.solver_reason.empty())
+      one["solver"] = {{"taken", to_string(choice.solver)}, {"reason", choice.solver_reason}};
+    if (one.size() > 1) list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string summary_text(const RunModel& model, const RunReport& report, const BuildInfo& build,
                          const Timings& timings) {
   Json summary;
@@ -105,6 +124,7 @@ std::string summary_text(const RunModel& model, const RunReport& report, const B
   summary["measures"] = to_json(report.measures);
   summary["units"] = units_json(report);
   summary["seed"] = model.mission ? Json(model.mission->seed) : Json(nullptr);
+  summary["chosen"] = choices_json(model.choices);
   summary["start_report"] = model.start_report;
   Json& versions = summary["versions"];
   versions["retiarius"] = build.version;

@@ -111,7 +111,7 @@ TEST(BadMission, UnknownKeysAndWords) {
        {kLeast + "[integrator]\nmethod = \"implicit_euler\"\n",
         "m.toml:15:10: integrator.method = \"implicit_euler\": must be one of \"implicit-euler\", "
         "\"newmark\", \"midpoint\", \"generalised-alpha\", \"tr-bdf2\", \"explicit\", \"static\", "
-        "did you mean "
+        "\"auto\", did you mean "
         "implicit-euler?"}});
 }
 

@@ -19,7 +19,6 @@ using ::testing::HasSubstr;
 using testing::line_count;
 using testing::Process;
 using testing::ProcessResult;
-using ::testing::StartsWith;
 using testing::WorkFolder;
 
 // Waits until the run has written so many rows.
@@ -55,7 +54,7 @@ TEST_P(Interruption, KeepsWhatWasComputed) {
   process.send(GetParam());
   const ProcessResult result = process.wait();
   EXPECT_EQ(result.exit_code, 4) << result.err;
-  EXPECT_THAT(result.out, StartsWith("interrupted: A small net\n"));
+  EXPECT_THAT(result.out, HasSubstr("\ninterrupted: A small net\n"));
 
   const std::string history = folder.read("out/m/history.csv");
   EXPECT_GT(line_count(history), 10u);

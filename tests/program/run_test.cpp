@@ -40,17 +40,36 @@ TEST(Run, LeavesEveryResult) {
   EXPECT_EQ(read_mission((folder / "a/b/resolved.toml").string()).title, "A small net");
 }
 
-TEST(Run, SaysOnlyTheOutcomeWhereThereIsNoTerminal) {
+TEST(Run, SaysOnlyChoicesAndOutcomeWhereThereIsNoTerminal) {
   const WorkFolder folder;
   folder.write("m.toml", small_mission());
   const ProcessResult result = folder.run({"run", "m.toml"});
   EXPECT_EQ(result.err, "");
-  EXPECT_THAT(result.out, StartsWith("finished: A small net\n  0.2 s simulated in "));
+  EXPECT_THAT(result.out, StartsWith("free: solver reuse: all threads carry compression, "));
+  EXPECT_THAT(result.out, HasSubstr("\nfinished: A small net\n  0.2 s simulated in "));
   EXPECT_THAT(result.out, ContainsRegex("\n  free +0 s +0.2 s +time >= 0.2\n"));
   EXPECT_THAT(result.out, ContainsRegex("\n  peak_tension +[0-9.]+ N\n"));
   EXPECT_THAT(result.out, ContainsRegex("\n  steps +20\n"));
   EXPECT_THAT(result.out, EndsWith("\nreport: out/m/report.html\n"));
   EXPECT_TRUE(folder.has("out/m/summary.json"));  // the default folder
+}
+
+TEST(Run, TellsWhatAutoTookWhereItIsLookedFor) {
+  const WorkFolder folder;
+  folder.write("m.toml",
+               replaced(small_mission(), "[integrator]\n", "[integrator]\nmethod = \"auto\"\n"));
+  const ProcessResult result = folder.run({"run", "m.toml", "--out", "r"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json summary = nlohmann::json::parse(folder.read("r/summary.json"));
+  ASSERT_EQ(summary["chosen"].size(), 1u);
+  const auto& chosen = summary["chosen"][0];
+  EXPECT_EQ(chosen["phase"], "free");
+  const std::string taken = chosen["integrator"]["taken"], why = chosen["integrator"]["reason"];
+  EXPECT_TRUE(taken == "explicit" || taken == "implicit-euler") << taken;
+  const std::string line = "free: integrator " + taken + ": " + why + "\n";
+  EXPECT_THAT(summary["start_report"].get<std::string>(), HasSubstr(line));
+  EXPECT_THAT(result.out, StartsWith(line));
+  EXPECT_THAT(folder.run({"info", "m.toml"}).out, HasSubstr("\nchosen\n  " + line));
 }
 
 TEST(Run, QuietSaysNothing) {
@@ -143,7 +162,7 @@ TEST(Run, BrokenThreadIsAnOutcomeWithExitCodeOne) {
                replaced(small_mission(), "radius = 0.01", "radius = 0.01\nstrength = 1.0"));
   const ProcessResult result = folder.run({"run", "m.toml"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.out, StartsWith("broke: A small net\n  segment "));
+  EXPECT_THAT(result.out, HasSubstr("\nbroke: A small net\n  segment "));
   EXPECT_THAT(result.err, ContainsRegex("retiarius: warning: segment [0-9]+ carried"));
   EXPECT_EQ(summary_of(folder, "out/m")["outcome"], "broke");
 }
@@ -156,7 +175,7 @@ TEST(Run, FailureIsToldWithWhatWasComputed) {
                                            "--set", "integrator.max_halvings=0"});
   EXPECT_EQ(result.exit_code, 1) << result.out;
   EXPECT_THAT(result.err, StartsWith("retiarius: error: "));
-  EXPECT_THAT(result.out, StartsWith("failed: A small net\n"));
+  EXPECT_THAT(result.out, HasSubstr("\nfailed: A small net\n"));
   const auto summary = summary_of(folder, "out/m");
   EXPECT_EQ(summary["outcome"], "failed");
   EXPECT_NE(summary["reason"], "");

@@ -93,7 +93,7 @@ SampleRun::SampleRun(int cells) : network(square_network(cells)) {
   bodies.push_back(box);
 }
 
-RunModel SampleRun::model() const { return {&mission, &network, &bodies, "chose nothing\n"}; }
+RunModel SampleRun::model() const { return {&mission, &network, &bodies, {}, "chose nothing\n"}; }
 
 State SampleRun::state(double time) const {
   State s;

@@ -46,6 +46,23 @@ TEST(SummaryJson, HoldsOutcomePhasesAndMeasures) {
   EXPECT_EQ(summary["units"]["mouth_area_max"], "m2");
 }
 
+TEST(SummaryJson, TellsWhatWasChosen) {
+  const SampleRun run;
+  TemporaryFolder folder;
+  RunModel model = run.model();
+  Choice explicitly, named;
+  explicitly.method = Method::explicit_differences;
+  explicitly.method_reason = "it costs less";
+  model.choices = {{"shoot", explicitly}, {"close", named}};
+  SummaryJson recorder(folder.path(), some_build());
+  recorder.begin(model);
+  recorder.end(run.report(Outcome::finished));
+  const auto summary = nlohmann::json::parse(read_whole_file(folder / "summary.json"));
+  const nlohmann::json expected = {
+      {{"phase", "shoot"}, {"integrator", {{"taken", "explicit"}, {"reason", "it costs less"}}}}};
+  EXPECT_EQ(summary["chosen"], nlohmann::json::array({expected[0]}));
+}
+
 TEST(SummaryJson, WritesNullForAbsentAndForNaN) {
   const auto summary = written(SampleRun(), Outcome::finished);
   EXPECT_TRUE(summary["measures"].at("first_contact_time").is_null());
