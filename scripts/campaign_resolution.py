@@ -45,7 +45,8 @@ def write_variant(campaign, folder, name, changes):
     top = next((k for k, line in enumerate(lines) if line.startswith("[")), len(lines))
     head = [line for line in lines[:top] if not line.startswith(("mission", "set"))]
     head.append(f"mission = '''{mission}'''")
-    head.append("set = [" + ", ".join(f"'''{change}'''" for change in given + changes) + "]")
+    if given + changes:
+        head.append("set = [" + ", ".join(f"'''{change}'''" for change in given + changes) + "]")
     path = os.path.join(folder, name + ".toml")
     with open(path, "w") as file:
         file.write("\n".join(head + lines[top:]) + "\n")
