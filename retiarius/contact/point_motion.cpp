@@ -19,9 +19,10 @@ BodyTwist at_rest(const BodyState& state) {
 }
 
 Vec3 PointMotion::turned(double t) const {
-  const double angle = t * turn.norm();
-  if (!(angle > 0.0)) return arm;
-  const Vec3 axis = t * turn / angle;
+  const double size = turn.norm();
+  if (!(size > 0.0)) return arm;
+  const double angle = t * size;
+  const Vec3 axis = turn / size;
   const double half = std::sin(0.5 * angle);
   // 1 - cos without cancellation.
   return arm + std::sin(angle) * axis.cross(arm) + 2.0 * half * half * axis.cross(axis.cross(arm));

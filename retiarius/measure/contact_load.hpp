@@ -28,4 +28,16 @@ struct ContactLoad {
 
 ContactLoad contact_load(const Simulation& simulation);
 
+// One place of contact and what acts there: on the body by a thread, on the second thread by the
+// first, on the second body by the first.
+struct ContactMark {
+  Vec3 point = Vec3::Zero();  // m
+  Vec3 force = Vec3::Zero();  // N, friction included
+  Index body = kNone;         // that the force acts on; kNone: a thread
+  Index thread = kNone;       // that touches it (Network::threads); kNone: a body does
+};
+
+// Of the end of the last step, in the order of their pairs.
+std::vector<ContactMark> contact_marks(const Simulation& simulation);
+
 }  // namespace retiarius

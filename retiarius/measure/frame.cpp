@@ -15,8 +15,12 @@ std::vector<double> strains(const Network& network, const std::vector<Vec3>& x) 
 
 Frame make_frame(const Simulation& simulation, Index phase) {
   const State& state = simulation.state();
-  return {phase, &state, simulation.tensions(), strains(simulation.network(), state.x),
-          node_curvatures(simulation.network(), state.x)};
+  return {phase,
+          &state,
+          simulation.tensions(),
+          strains(simulation.network(), state.x),
+          node_curvatures(simulation.network(), state.x),
+          contact_marks(simulation)};
 }
 
 }  // namespace retiarius

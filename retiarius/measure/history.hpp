@@ -57,6 +57,7 @@ struct Frame {
   std::vector<double> tension;    // of each segment, N, viscous part included
   std::vector<double> strain;     // of each segment
   std::vector<double> curvature;  // at each node, the largest of its joints, 1/m
+  std::vector<ContactMark> contacts;
 };
 
 }  // namespace retiarius

@@ -156,7 +156,7 @@ std::optional<ConvexHull> convex_hull(const std::vector<Vec3>& points) {
     coordinates.insert(coordinates.end(), q.begin(), q.end());
   }
   if (size <= 1e-12 * mean.norm()) return std::nullopt;  // one point but for rounding
-  const std::vector<double> original = coordinates;  // qhull may change what it is given
+  const std::vector<double> original = coordinates;      // qhull may change what it is given
   Quickhull quickhull;
   const int code = quickhull.run(coordinates, "qhull Pp");
   if (code == qh_ERRsingular) return std::nullopt;

@@ -16,11 +16,16 @@ void Peaks::see_shape(double time, const Readings& readings, double travel) {
         std::min(smallest_distance.value_or(kInfinity), *readings.smallest_distance);
 }
 
-void Peaks::see_step(double time, int newton_iterations, double peak_tension, bool touching) {
+void Peaks::see_step(int newton_iterations, double peak_tension) {
   ++steps;
   iterations += newton_iterations;
   tension = std::max(tension.value_or(-kInfinity), peak_tension);
-  if (touching && !first_contact) first_contact = time;
+}
+
+void Peaks::see_touch(double time, const FirstTouch& touch) {
+  if (first_contact) return;
+  first_contact = time;
+  first_touch = touch;
 }
 
 }  // namespace retiarius

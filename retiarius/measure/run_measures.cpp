@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "retiarius/measure/contact_load.hpp"
 #include "retiarius/measure/energy.hpp"
 #include "retiarius/measure/mouth.hpp"
 #include "retiarius/state/transfer.hpp"
@@ -12,6 +13,16 @@ namespace {
 
 double peak(const std::vector<double>& tension) {
   return *std::max_element(tension.begin(), tension.end());
+}
+
+// The first contact of a thread with a body, in the order of contacts.
+FirstTouch first_touch(const Simulation& simulation) {
+  for (const ContactMark& mark : contact_marks(simulation)) {
+    if (mark.body == kNone || mark.thread == kNone) continue;
+    const BodyState& body = simulation.state().bodies[static_cast<std::size_t>(mark.body)];
+    return {mark.thread, mark.body, to_body(body, mark.point)};
+  }
+  return {};
 }
 
 }  // namespace
@@ -67,9 +78,13 @@ void RunMeasures::step(const Simulation& simulation, const StepReport& report) {
   balance_.see(simulation);
   look(simulation);
   const double tension = peak(simulation.tensions());
-  const bool touching = !state.touches.empty();
-  whole_.see_step(state.time, report.iterations, tension, touching);
-  phase_.see_step(state.time, report.iterations, tension, touching);
+  whole_.see_step(report.iterations, tension);
+  phase_.see_step(report.iterations, tension);
+  if (!state.touches.empty() && !phase_.first_contact) {
+    const FirstTouch touch = first_touch(simulation);
+    whole_.see_touch(state.time, touch);
+    phase_.see_touch(state.time, touch);
+  }
   ++steps_;
   iterations_ += report.iterations;
   substeps_ += report.substeps;

@@ -13,6 +13,16 @@ Measure measure(const char* name, const char* unit, const std::optional<Value>& 
   return {name, unit, *value};
 }
 
+Measure first_touched(const char* name, const Peaks& peaks, Index index) {
+  if (!peaks.first_contact || index == kNone) return {name, "", std::monostate{}};
+  return {name, "", std::int64_t{index}};
+}
+
+Measure first_touched(const char* name, const Peaks& peaks, double place) {
+  if (!peaks.first_contact) return {name, "m", std::monostate{}};
+  return {name, "m", place};
+}
+
 }  // namespace
 
 Measures RunMeasures::summary() const {
@@ -41,6 +51,11 @@ Measures RunMeasures::summary() const {
       measure("peak_tension_20ms", "N", window_.largest()),
       measure("peak_strain", "", whole_.strain),
       measure("first_contact_time", "s", whole_.first_contact),
+      first_touched("first_contact_thread", whole_, whole_.first_touch.thread),
+      first_touched("first_contact_body", whole_, whole_.first_touch.body),
+      first_touched("first_contact_x", whole_, whole_.first_touch.place.x()),
+      first_touched("first_contact_y", whole_, whole_.first_touch.place.y()),
+      first_touched("first_contact_z", whole_, whole_.first_touch.place.z()),
       measure("smallest_distance", "m", whole_.smallest_distance),
       measure("captured_share", "", share),
       measure("capture_quality_final", "", quality),

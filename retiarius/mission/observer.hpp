@@ -12,6 +12,7 @@
 #include "retiarius/measure/measures.hpp"
 #include "retiarius/mission/choices.hpp"
 #include "retiarius/mission/mission.hpp"
+#include "retiarius/motion/work_times.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/state/state.hpp"
 
@@ -46,6 +47,7 @@ struct RunReport {
   std::string reason;  // empty when finished
   std::vector<PhaseReport> phases;
   Measures measures;  // of the whole run; wall_time among them
+  WorkTimes work;     // of this run, from where it was resumed if it was
 };
 
 // What a run is resumed from: the state, and all else that steers what follows.

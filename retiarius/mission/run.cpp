@@ -133,6 +133,7 @@ RunReport MissionLoop::run() {
     fail(e.what());
   }
   report_.measures = measures_.summary();
+  report_.work = simulation_.work_times();
   const std::chrono::duration<double> wall = Clock::now() - started_;
   report_.measures.push_back({"wall_time", "s", wall.count()});
   observer_.end(report_);

@@ -12,21 +12,13 @@
 #include "retiarius/contact/response.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/newton.hpp"
+#include "retiarius/motion/work_times.hpp"
 #include "retiarius/state/constraints.hpp"
 #include "retiarius/state/law.hpp"
 
 namespace retiarius {
 
 using Mat63 = Eigen::Matrix<double, 6, 3>;
-
-// Wall time spent in parts of the work since the start, s.
-struct WorkTimes {
-  double assembly = 0.0;  // potential, gradient and Hessian
-  double factor = 0.0;    // borders and constraints included
-  double solve = 0.0;
-  double contact = 0.0;  // all of barrier contact
-  double search = 0.0;   // of this, for what may touch
-};
 
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
 // rotation vector b that contact adds to its free motion (both divided by the step's reach). The

@@ -43,7 +43,7 @@ void tell_frame(const FrameData& data, Observer& observer) {
     touch.sticks = data.contact[k] == 2;
     state.touches.push_back(touch);
   }
-  observer.frame({data.phase, &state, data.tension, data.strain, data.curvature});
+  observer.frame({data.phase, &state, data.tension, data.strain, data.curvature, data.contacts});
 }
 
 void retell(const fs::path& path, const Checkpoint& upto, const Mission& mission,

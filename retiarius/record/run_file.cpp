@@ -107,6 +107,26 @@ class RunFile::Impl {
     return h5::read_rows<T>(h5::open_dataset(id(), "frames/" + name).id(), number, 1);
   }
 
+  std::vector<ContactMark> contacts(std::size_t number) const {
+    const auto part = [&]<class T>(const char* name, hsize_t first, hsize_t count, T) {
+      return h5::read_rows<T>(h5::open_dataset(id(), std::string("contacts/") + name).id(), first,
+                              count);
+    };
+    const hsize_t before = number > 0 ? number - 1 : 0;
+    const auto ends = part("end", before, number > 0 ? 2 : 1, std::int64_t{});
+    const std::int64_t first = number > 0 ? ends.front() : 0, end = ends.back();
+    if (first < 0 || end < first) throw Error("its contacts are not counted rightly");
+    const auto count = static_cast<hsize_t>(end - first), from = static_cast<hsize_t>(first);
+    const auto point = vectors(part("point", from, count, double{}));
+    const auto force = vectors(part("force", from, count, double{}));
+    const auto body = part("body", from, count, Index{});
+    const auto thread = part("thread", from, count, Index{});
+    std::vector<ContactMark> marks;
+    for (std::size_t k = 0; k < point.size(); ++k)
+      marks.push_back({point[k], force[k], body[k], thread[k]});
+    return marks;
+  }
+
  private:
   std::filesystem::path path_;
   h5::Handle file_;
@@ -245,6 +265,7 @@ FrameData RunFile::frame(std::size_t number) const {
     frame.curvature = impl_->frame_part<double>("curvature", number);
     if (h5::exists(impl_->id(), "frames/contact"))
       frame.contact = impl_->frame_part<Index>("contact", number);
+    if (h5::exists(impl_->id(), "contacts")) frame.contacts = impl_->contacts(number);
     if (!h5::exists(impl_->id(), "frames/body_position")) return frame;
     const auto position = vectors(impl_->frame_part<double>("body_position", number));
     const auto velocity = vectors(impl_->frame_part<double>("body_velocity", number));

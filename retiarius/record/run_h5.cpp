@@ -21,7 +21,8 @@ namespace retiarius {
 
 namespace {
 
-constexpr hsize_t kHistoryChunk = 256;       // rows
+constexpr hsize_t kHistoryChunk = 256;  // rows
+constexpr hsize_t kContactChunk = 256;
 constexpr std::size_t kBufferedRows = 1024;  // at most, when frames are rare
 
 std::vector<double> flat(const std::vector<Vec3>& vectors) {
@@ -124,6 +125,7 @@ class RunH5::File {
     write_bodies(file_.id(), model);
     create_history(*model.mission);
     create_frames(model.network->design.size(), model.network->segments.size());
+    create_contacts();
     h5::checked(H5Fstart_swmr_write(file_.id()));
   }
 
@@ -155,6 +157,7 @@ class RunH5::File {
     if (s.bodies.size() != bodies_)
       throw Error(fmt::format("a frame has {} bodies of {}", s.bodies.size(), bodies_));
     if (bodies_ > 0) add_bodies(s.bodies);
+    add_contacts(frame.contacts);
     frames_.at("phase").append(&frame.phase, 1, h5::native_type<Index>());
     frames_.at("time").append(&s.time, 1, number);
     flush();
@@ -236,6 +239,44 @@ class RunH5::File {
            "about each body's mass centre, world axes");
   }
 
+  // Frames have different numbers of contacts: all stand in one list, frame after frame.
+  void create_contacts() {
+    const h5::Handle group = h5::make_group(file_.id(), "contacts");
+    const auto create = [&](const char* name, hid_t type, std::vector<hsize_t> row,
+                            const char* unit, const char* meaning) {
+      const auto [entry, added] =
+          contacts_.try_emplace(name, group.id(), name, type, row, kContactChunk, false);
+      describe(entry->second.id(), unit, meaning);
+    };
+    create("end", h5::native_type<std::int64_t>(), {}, "1",
+           "of each frame: its contacts stand before this place, after those of the frame before");
+    create("point", H5T_NATIVE_DOUBLE, {3}, "m", "where they touch");
+    create("force", H5T_NATIVE_DOUBLE, {3}, "N", "on the body, or on the second thread");
+    create("body", h5::native_type<Index>(), {}, "1", "index of the body, -1 for a thread");
+    create("thread", h5::native_type<Index>(), {}, "1",
+           "index of the thread that touches it, -1 for another body");
+  }
+
+  void add_contacts(const std::vector<ContactMark>& marks) {
+    std::vector<Vec3> points, forces;
+    std::vector<Index> bodies, threads;
+    for (const ContactMark& mark : marks) {
+      points.push_back(mark.point);
+      forces.push_back(mark.force);
+      bodies.push_back(mark.body);
+      threads.push_back(mark.thread);
+    }
+    const auto add = [&](const char* name, const void* values, std::size_t count, hid_t type) {
+      if (count > 0) contacts_.at(name).append(values, count, type);
+    };
+    add("point", flat(points).data(), marks.size(), H5T_NATIVE_DOUBLE);
+    add("force", flat(forces).data(), marks.size(), H5T_NATIVE_DOUBLE);
+    add("body", bodies.data(), marks.size(), h5::native_type<Index>());
+    add("thread", threads.data(), marks.size(), h5::native_type<Index>());
+    contacts_told_ += static_cast<std::int64_t>(marks.size());
+    add("end", &contacts_told_, 1, h5::native_type<std::int64_t>());
+  }
+
   void add_bodies(const std::vector<BodyState>& bodies) {
     std::vector<Vec3> position, velocity, momentum;
     std::vector<double> attitude;
@@ -255,7 +296,8 @@ class RunH5::File {
   std::size_t bodies_;
   std::vector<h5::Series> columns_;
   std::vector<std::vector<double>> rows_;  // of each column, not yet in the file
-  std::map<std::string, h5::Series> frames_;
+  std::map<std::string, h5::Series> frames_, contacts_;
+  std::int64_t contacts_told_ = 0;
 };
 
 void mend_run_file(const std::filesystem::path& path) {

@@ -139,6 +139,12 @@ std::string summary_text(const RunModel& model, const RunReport& report, const B
   clock["started"] = timings.started;
   clock["finished"] = timings.finished;
   clock["wall_seconds"] = timings.wall_seconds;
+  Json& work = clock["work_seconds"];
+  work["assembly"] = report.work.assembly;
+  work["factorisation"] = report.work.factor;
+  work["solution"] = report.work.solve;
+  work["contact"] = report.work.contact;
+  work["contact_search"] = report.work.search;
   // Text from outside may hold bytes that are not UTF-8: they are replaced, never fatal.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

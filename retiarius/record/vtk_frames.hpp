@@ -32,6 +32,7 @@ struct FrameData {
   std::vector<double> tension, strain, curvature;
   std::vector<BodyState> bodies;
   std::vector<Index> contact;  // of each node: 0 free, 1 slides, 2 sticks; empty: not recorded
+  std::vector<ContactMark> contacts;
 };
 
 // Writes frames one by one below a folder: frames/frame_000000.vtp, frames/body_NAME_000000.vtp,

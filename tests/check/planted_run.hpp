@@ -49,7 +49,11 @@ class PlantedRun {
         model_(mission_) {
     std::filesystem::create_directories(folder_);
     file_ = std::make_unique<RunH5>(folder_, recorded.empty() ? mission_text : recorded, "test");
-    file_->begin({&mission_, &model_.network, &model_.bodies, ""});
+    RunModel run;
+    run.mission = &mission_;
+    run.network = &model_.network;
+    run.bodies = &model_.bodies;
+    file_->begin(run);
     for (const Body& body : model_.bodies) poses.push_back(body.initial);
     x = model_.network.design;
   }
@@ -72,7 +76,7 @@ class PlantedRun {
     state.v.assign(x.size(), Vec3::Zero());
     state.bodies = poses;
     const std::vector<double> none(model_.network.segments.size(), 0.0);
-    file_->frame({0, &state, none, none, std::vector<double>(x.size(), 0.0)});
+    file_->frame({0, &state, none, none, std::vector<double>(x.size(), 0.0), {}});
   }
 
   ContactCheck check(const ContactCheckOptions& options = {}) {
