@@ -14,7 +14,6 @@ Prints one line a run and a summary; ends with 1 if any run was bad.'
 fail() { printf 'random-captures.sh: %s\n%s\n' "$1" "$usage" >&2; exit 2; }
 root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 program="$root/build/ci/program/retiarius"
-TIMEFORMAT='%1U'
 first=1 limit=600 keep='' out=''
 case "${1:-}" in -h | --help) printf '%s\n' "$usage"; exit 0 ;; esac
 [ $# -ge 2 ] || fail 'COUNT and SEED are needed'
@@ -57,14 +56,16 @@ for ((number = first; number <= last; ++number)); do
   read -r nodes step speed friction self radius < <(
     python3 "$root/scripts/random_capture.py" "$folder" "$seed" "$number" ${checks:+every-step})
   code=0
-  {
-    time (
-      ulimit -t "$limit"
-      exec nice -n 19 timeout --kill-after=60 $((20 * limit)) "$program" run \
-        "$folder/mission.toml" --threads 1 --out "$folder/run" >"$folder/log" 2>&1 </dev/null
-    )
-  } 2>"$folder/time" || code=$?
-  took="$(tail -n 1 "$folder/time")"
+  (
+    ulimit -t "$limit"
+    status=0
+    nice -n 19 timeout --kill-after=60 $((20 * limit)) "$program" run \
+      "$folder/mission.toml" --threads 1 --out "$folder/run" >"$folder/log" 2>&1 </dev/null ||
+      status=$?
+    times >"$folder/time"  # the last line is that of the children: user, system
+    exit "$status"
+  ) || code=$?
+  took="$(awk 'END { split($1, part, "[ms]"); printf "%.1f", 60 * part[1] + part[2] }' "$folder/time")"
   case "$code" in
     0) outcome=finished ;;
     1) outcome='clear error' ;;

@@ -72,7 +72,7 @@ def main():
     speed = math.exp(rng.uniform(0.0, math.log(30.0)))
     step = rng.choice([0.0025, 0.005, 0.01])
     friction = rng.choice([0.0, 0.1, 0.2, 0.4])
-    own = rng.random() < 0.5
+    own = rng.random() < 0.1  # costs many times more
     distance = REACH + 0.2 * speed
     aim = [rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)]
     os.makedirs(folder, exist_ok=True)
