@@ -32,6 +32,14 @@ std::vector<double> node_radii(const Network& network) {
   return radius;
 }
 
+// How often a step is halved until it is no longer than `wanted`; 0: whatever its length.
+int halvings_to(double wanted, double whole, int most) {
+  int halvings = 0;
+  while (wanted > 0.0 && halvings < most && std::ldexp(whole, -halvings) > 1.0001 * wanted)
+    ++halvings;
+  return halvings;
+}
+
 // Books what the laws exchanged. Of outside impulses, `exchange` becomes what acts in this step:
 // its own part and what is carried from before.
 void book(const Step& step, const Exchange& carried, Exchange& exchange, Account& account) {
@@ -89,6 +97,7 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
                     environment.damping == environment_.damping &&
                     choice_.method == integrator_.method && integrator.rho == integrator_.rho;
   if (configured_ && !same) forget_acceleration();
+  if (configured_ && integrator.adaptive != integrator_.adaptive) state_.memory.next_step = 0.0;
   configured_ = true;
   environment_ = environment;
   check_newton(integrator, contact);
@@ -254,14 +263,23 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
   return integrator_.adaptive ? advance_adaptive(end, motion) : advance_fixed(end, motion);
 }
 
+// Where a step had to be cut the next is hardly easier: it begins at the length that went well, and
+// after each that goes well at once at twice that. Adaptive steps have a rule of their own.
 StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion) {
   StepReport report;
   std::string failure;
   const double whole = end - state_.time;
-  for (; report.halvings <= integrator_.max_halvings; ++report.halvings) {
+  const int first = integrator_.adaptive
+                        ? 0
+                        : halvings_to(state_.memory.next_step, whole, integrator_.max_halvings);
+  for (report.halvings = first; report.halvings <= integrator_.max_halvings; ++report.halvings) {
     const double part =
         report.halvings == 0 ? end : state_.time + std::ldexp(whole, -report.halvings);
-    if (try_step(part, motion, report, failure)) return report;
+    if (!try_step(part, motion, report, failure)) continue;
+    if (integrator_.adaptive) return report;
+    const double next = report.halvings > first ? report.h : 2.0 * report.h;
+    state_.memory.next_step = next < integrator_.step ? next : 0.0;
+    return report;
   }
   const auto [residual, node] = problem_->largest_residual();
   const Vec3 at = node == kNone ? Vec3(Vec3::Zero()) : problem_->stage()[node];
