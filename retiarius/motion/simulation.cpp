@@ -263,20 +263,21 @@ StepReport Simulation::advance(double end, const PrescribedMotion& motion) {
   return integrator_.adaptive ? advance_adaptive(end, motion) : advance_fixed(end, motion);
 }
 
-// Where a step had to be cut the next is hardly easier: it begins at the length that went well, and
-// after each that goes well at once at twice that. Adaptive steps have a rule of their own.
+// Where barriers had a step cut the next is hardly easier: it begins at the length that went well,
+// and after each that goes well at once at twice that. Adaptive steps have a rule of their own; and
+// Newmark's method with contact by modified mass had better get away from short steps at once.
 StepReport Simulation::advance_fixed(double end, const PrescribedMotion& motion) {
   StepReport report;
   std::string failure;
   const double whole = end - state_.time;
-  const int first = integrator_.adaptive
-                        ? 0
-                        : halvings_to(state_.memory.next_step, whole, integrator_.max_halvings);
+  const bool remembers = barrier_ && !integrator_.adaptive;
+  const int first =
+      !remembers ? 0 : halvings_to(state_.memory.next_step, whole, integrator_.max_halvings);
   for (report.halvings = first; report.halvings <= integrator_.max_halvings; ++report.halvings) {
     const double part =
         report.halvings == 0 ? end : state_.time + std::ldexp(whole, -report.halvings);
     if (!try_step(part, motion, report, failure)) continue;
-    if (integrator_.adaptive) return report;
+    if (!remembers) return report;
     const double next = report.halvings > first ? report.h : 2.0 * report.h;
     state_.memory.next_step = next < integrator_.step ? next : 0.0;
     return report;

@@ -106,6 +106,24 @@ TEST(Halving, IsNotNeededWithIterationsEnough) {
   EXPECT_DOUBLE_EQ(sim.state().time, 0.05);
 }
 
+// With barriers the step after a cut one does not try the whole again.
+TEST(Halving, IsRememberedWithBarriers) {
+  const Network net = thrown_chain();
+  Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
+  IntegratorSpec integrator = by(Method::implicit_euler);
+  integrator.max_iterations = 8;
+  ContactSpec contact;
+  contact.method = ContactMethod::barrier;
+  integrator.step = 0.05;
+  sim.configure({}, integrator, contact);
+  const StepReport cut = sim.advance(0.05, hold(net.initial, {0}));
+  ASSERT_GT(cut.halvings, 0);
+  EXPECT_DOUBLE_EQ(sim.state().memory.next_step, cut.h);
+  const StepReport next = sim.advance(0.05, hold(net.initial, {0}));
+  EXPECT_LE(next.h, 1.0001 * cut.h);
+  EXPECT_GT(next.halvings, 0);
+}
+
 TEST(Failure, NamesTimeNodeAndRemedyAndLeavesTheState) {
   const Network net = thrown_chain();
   Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));

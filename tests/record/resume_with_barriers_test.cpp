@@ -101,6 +101,9 @@ std::vector<ResumeCase> cases() {
   return {
       {"implicit_euler", {method("implicit-euler")}},
       {"newmark", {method("newmark"), "integrator.step=0.001"}},
+      {"midpoint",
+       {method("midpoint"), "integrator.step=0.001", "net.thread.bending=none",
+        "net.thread.young_modulus=1.0e6"}},
       {"generalised_alpha", {method("generalised-alpha"), "integrator.rho=0.5"}},
       {"tr_bdf2", {method("tr-bdf2")}},
       {"implicit_euler_adaptive", {method("implicit-euler"), adaptive}},
