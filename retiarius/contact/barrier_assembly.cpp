@@ -26,6 +26,11 @@ Mat3 left_jacobian(const Vec3& v) {
   return Mat3::Identity() + a * s + b * s * s;
 }
 
+// Of points i and j.
+auto block_of(const Mat12& hessian, Eigen::Index i, Eigen::Index j) {
+  return hessian.block<3, 3>(3 * i, 3 * j);
+}
+
 // The nearest matrix without negative eigenvalues. What is left of the distance's own curvature
 // keeps Newton's steps from sliding along a contact into another: where edges are nearly parallel
 // the distance falls with the square of such a slide, steeply.
@@ -146,7 +151,7 @@ void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
   std::array<Mat36, 4> moves;
   std::array<Index, 4> body{kNone, kNone, kNone, kNone};
   for (int i = 0; i < count; ++i) {
-    const Vec3 g = gradient.segment<3>(3 * i);
+    const Vec3 g = gradient.segment<3>(Eigen::Index{3} * i);
     if (places[i].owner == kNet) {
       (*out.gradient)[places[i].point] += g;
       continue;
@@ -182,12 +187,11 @@ void BarrierContact::scatter_net(const std::array<PointPlace, 4>& places, int co
   for (int i = 0; i < count; ++i) {
     if (places[i].owner != kNet) continue;
     const Index a = places[i].point;
-    out.hessian->diagonal[a] += out.scale * hessian.block<3, 3>(3 * i, 3 * i);
+    out.hessian->diagonal[a] += out.scale * block_of(hessian, i, i);
     for (int j = 0; j < count; ++j) {
       const Index c = places[j].point;
       if (places[j].owner != kNet || a <= c) continue;
-      out.hessian->below[out.hessian->pattern->slot(a, c)] +=
-          out.scale * hessian.block<3, 3>(3 * i, 3 * j);
+      out.hessian->below[out.hessian->pattern->slot(a, c)] += out.scale * block_of(hessian, i, j);
     }
   }
 }
@@ -204,7 +208,7 @@ void BarrierContact::scatter_body(const std::array<PointPlace, 4>& places,
     if (places[i].point == kNone || (!net && body[i] == kNone)) continue;
     Mat36 row = Mat36::Zero();
     for (int j = begin; j < end; ++j)
-      row.noalias() += out.scale * hessian.block<3, 3>(3 * i, 3 * j) * moves[j];
+      row.noalias() += out.scale * block_of(hessian, i, j) * moves[j];
     if (net) {
       out.node_body->push_back({places[i].point, body[begin], row});
     } else if (i >= begin && i < end) {
