@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "program/console.hpp"
+#include "retiarius/base/instruction_set.hpp"
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/mission/reader.hpp"
-#include "retiarius/base/instruction_set.hpp"
 
 namespace retiarius::program {
 

@@ -121,12 +121,12 @@ void BarrierContact::begin(const Step& step) {
 // Whether nothing is farther than the slack from where it was when pairs were looked for last.
 bool BarrierContact::is_near_searched(const ContactPlaces& at) const {
   for (std::size_t i = 0; i < searched_nodes_.size(); ++i)
-    if (((*at.nodes)[i] - searched_nodes_[i]).squaredNorm() > slack_ * slack_) return false;
+    if (!(((*at.nodes)[i] - searched_nodes_[i]).squaredNorm() <= slack_ * slack_)) return false;
   for (std::size_t b = 0; b < searched_bodies_.size(); ++b) {
     const BodyTwist way = motion_between(searched_bodies_[b], (*at.bodies)[b]);
     const double turn = way.rotation.norm();
     const double reach = turn > 0.0 ? turn * scene_.bodies[b].bounding_radius : 0.0;
-    if (way.translation.norm() + reach > slack_) return false;
+    if (!(way.translation.norm() + reach <= slack_)) return false;
   }
   return true;
 }

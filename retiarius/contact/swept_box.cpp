@@ -35,8 +35,4 @@ Box MovingAxes::box(const PointMotion& point) const {
   return widened(chord, bend / 8.0);
 }
 
-Box world_box(const PointMotion& point) {
-  return widened(box_of(point.at(0.0), point.at(1.0)), point.largest_acceleration() / 8.0);
-}
-
 }  // namespace retiarius

@@ -1,4 +1,4 @@
-// Boxes that hold the path of a point, in world axes and in those of a moving body.
+// Boxes that hold the path of a point in the axes of a moving body.
 #pragma once
 
 #include "retiarius/contact/box_tree.hpp"
@@ -20,9 +20,6 @@ class MovingAxes {
   Vec3 start_, end_, move_;
   double turn_;  // rad
 };
-
-// A box about the path of a point in world axes.
-Box world_box(const PointMotion& point);
 
 inline Box widened(const Box& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};

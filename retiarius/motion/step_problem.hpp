@@ -10,9 +10,9 @@
 #include "retiarius/bodies/body.hpp"
 #include "retiarius/contact/barrier.hpp"
 #include "retiarius/contact/response.hpp"
+#include "retiarius/motion/work_times.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/newton.hpp"
-#include "retiarius/motion/work_times.hpp"
 #include "retiarius/state/constraints.hpp"
 #include "retiarius/state/law.hpp"
 

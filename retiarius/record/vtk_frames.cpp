@@ -72,8 +72,16 @@ std::vector<Index> contact_of_nodes(const State& state) {
 
 FrameData frame_data(const Frame& frame) {
   const State& s = *frame.state;
-  return {s.time,   frame.phase,        s.x, s.v, frame.tension, frame.strain, frame.curvature,
-          s.bodies, contact_of_nodes(s), frame.contacts};
+  return {s.time,
+          frame.phase,
+          s.x,
+          s.v,
+          frame.tension,
+          frame.strain,
+          frame.curvature,
+          s.bodies,
+          contact_of_nodes(s),
+          frame.contacts};
 }
 
 VtkSeries::VtkSeries(std::filesystem::path folder, NetDrawing net, std::vector<BodyDrawing> bodies)

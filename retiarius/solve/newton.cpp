@@ -43,8 +43,8 @@ class Iteration {
   NewtonResult result_;
   double value_ = 0.0;          // the potential
   double recent_[kMemory];      // potentials of the last iterates
-  int rises_ = 0;               // accepted so far
   std::size_t remembered_ = 0;  // of those
+  int rises_ = 0;               // accepted so far
   double size_before_ = 0.0;    // of the last whole step; 0: none to compare with
   double ratio_before_ = 0.0;   // residual ratio after the last step
   bool chord_ = false;          // the present direction comes from an old factorisation

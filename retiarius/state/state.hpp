@@ -46,7 +46,7 @@ struct Memory {
   // What outside forces have in the sum of m times those, N, and their moment about the origin.
   Vec3 outside_force = Vec3::Zero();
   Vec3 outside_moment = Vec3::Zero();
-  double next_step = 0.0;  // that an adaptive step would try next, s; 0: none yet
+  double next_step = 0.0;  // tried next where adaptive or after a cut, s; 0: none yet
   // Of the solver: pairs of nodes, one after the other, that threads in contact have coupled in
   // its matrix, whose order of elimination they steer.
   std::vector<Index> couplings;
