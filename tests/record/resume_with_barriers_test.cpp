@@ -1,5 +1,6 @@
 // Runs with barrier contact that are interrupted and resumed leave what those that were not leave.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace retiarius {
 namespace {
 
 using testing::Break;
+using testing::by_implicit_methods;
 using testing::expect_resumes;
 using testing::expect_same_results;
 using testing::resume_in;
@@ -95,27 +97,6 @@ frame_interval = 0.05
 )";
 }
 
-std::vector<ResumeCase> cases() {
-  const auto method = [](const std::string& name) { return "integrator.method=" + name; };
-  const std::string adaptive = "integrator.adaptive=true";
-  return {
-      {"implicit_euler", {method("implicit-euler")}},
-      {"newmark", {method("newmark"), "integrator.step=0.001"}},
-      {"midpoint",
-       {method("midpoint"), "integrator.step=0.001", "net.thread.bending=none",
-        "net.thread.young_modulus=1.0e6"}},
-      {"generalised_alpha", {method("generalised-alpha"), "integrator.rho=0.5"}},
-      {"tr_bdf2", {method("tr-bdf2")}},
-      {"implicit_euler_adaptive", {method("implicit-euler"), adaptive}},
-      {"generalised_alpha_adaptive", {method("generalised-alpha"), adaptive}},
-      {"tr_bdf2_adaptive", {method("tr-bdf2"), adaptive}},
-      {"many_rounds", {"contact.friction_rounds=30", "contact.friction_tolerance=1e-6"}},
-      {"no_friction", {"contact.friction=0.0", "contact.thread_friction=0.0"}},
-      {"not_itself", {"contact.self=false"}},
-      {"fine_output", {"output.interval=0.005", "output.frame_interval=0.005"}},
-  };
-}
-
 class ResumeWithBarriers : public ::testing::TestWithParam<ResumeCase> {};
 
 TEST_P(ResumeWithBarriers, ACaptureLeavesWhatTheWholeRunLeaves) {
@@ -132,7 +113,13 @@ TEST_P(ResumeWithBarriers, ACaptureLeavesWhatTheWholeRunLeaves) {
   expect_resumes(capture_by_barriers(), GetParam(), Outcome::finished, look);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ResumeWithBarriers, ::testing::ValuesIn(cases()), testing::name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ResumeWithBarriers,
+    ::testing::ValuesIn(by_implicit_methods(
+        {{"many_rounds", {"contact.friction_rounds=30", "contact.friction_tolerance=1e-6"}},
+         {"no_friction", {"contact.friction=0.0", "contact.thread_friction=0.0"}},
+         {"not_itself", {"contact.self=false"}}})),
+    testing::name_of);
 
 Mission mission(const std::vector<std::string>& overrides = {}) {
   return parse_mission(capture_by_barriers(), "mission", ".", overrides);
@@ -165,6 +152,52 @@ TEST(ResumeWithBarriersOften, TheCheckpointKnowsTheContacts) {
   EXPECT_EQ(resume_in(folder / "broken", mission(), {{Break::Kind::stopped, 0}}).outcome,
             Outcome::interrupted);
   EXPECT_EQ(read_whole_file(folder / "broken/history.csv"), rows);
+}
+
+// What is recorded of contact places adds up to what is recorded of the body.
+TEST(ContactsOfFrames, SumUpToTheLoadOfTheBody) {
+  const TemporaryFolder folder;
+  const RunReport report = run_into(folder / "run", mission());
+  const RunFile run(folder / "run/run.h5");
+  const std::vector<double> times = run.history("time");
+  std::array<std::vector<double>, 3> load;
+  for (int k = 0; k < 3; ++k) load[k] = run.history(std::string("target.contact_f") + "xyz"[k]);
+  const auto threads = static_cast<Index>(build_network(mission().net).threads.size());
+  double largest = 0.0;
+  for (std::size_t f = 0; f < run.frame_count(); ++f) {
+    const FrameData frame = run.frame(f);
+    Vec3 sum = Vec3::Zero();
+    for (const ContactMark& mark : frame.contacts) {
+      EXPECT_GE(mark.thread, 0);
+      EXPECT_LT(mark.thread, threads);
+      if (mark.body == kNone) continue;
+      sum += mark.force;
+      // On the box, which is as large as its corners are far.
+      const Vec3 place = to_body(frame.bodies[0], mark.point).cwiseAbs();
+      EXPECT_LT((place - Vec3(0.15, 0.125, 0.1)).maxCoeff(), 1e-9);
+      EXPECT_GT((place - Vec3(0.15, 0.125, 0.1)).maxCoeff(), -1e-9);
+    }
+    const auto row = static_cast<std::size_t>(
+        std::find_if(times.begin(), times.end(),
+                     [&](double t) { return std::abs(t - frame.time) < 1e-9; }) -
+        times.begin());
+    ASSERT_LT(row, times.size());
+    const Vec3 expected(load[0][row], load[1][row], load[2][row]);
+    EXPECT_LE((sum - expected).norm(), 1e-9 * (1.0 + expected.norm()));
+    largest = std::max(largest, expected.norm());
+  }
+  EXPECT_GT(largest, 0.0);
+  const auto measured = [&](const std::string& name) {
+    for (const Measure& m : report.measures)
+      if (m.name == name) return m.value;
+    return decltype(Measure::value){};
+  };
+  EXPECT_EQ(std::get<std::int64_t>(measured("first_contact_body")), 0);
+  EXPECT_LT(std::get<std::int64_t>(measured("first_contact_thread")), threads);
+  const Vec3 place(std::get<double>(measured("first_contact_x")),
+                   std::get<double>(measured("first_contact_y")),
+                   std::get<double>(measured("first_contact_z")));
+  EXPECT_NEAR((place.cwiseAbs() - Vec3(0.15, 0.125, 0.1)).maxCoeff(), 0.0, 1e-9);
 }
 
 }  // namespace

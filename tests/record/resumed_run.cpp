@@ -157,6 +157,27 @@ std::string name_of(const ::testing::TestParamInfo<ResumeCase>& instance) {
   return instance.param.name;
 }
 
+std::vector<ResumeCase> by_implicit_methods(const std::vector<ResumeCase>& more) {
+  const auto method = [](const std::string& name) { return "integrator.method=" + name; };
+  const std::string adaptive = "integrator.adaptive=true";
+  std::vector<ResumeCase> cases{
+      {"implicit_euler", {method("implicit-euler")}},
+      {"newmark", {method("newmark"), "integrator.step=0.001"}},
+      // Midpoint does not converge on the stiff bent threads of closed nets.
+      {"midpoint",
+       {method("midpoint"), "integrator.step=0.001", "net.thread.bending=none",
+        "net.thread.young_modulus=1.0e6"}},
+      {"generalised_alpha", {method("generalised-alpha"), "integrator.rho=0.5"}},
+      {"tr_bdf2", {method("tr-bdf2")}},
+      {"implicit_euler_adaptive", {method("implicit-euler"), adaptive}},
+      {"generalised_alpha_adaptive", {method("generalised-alpha"), adaptive}},
+      {"tr_bdf2_adaptive", {method("tr-bdf2"), adaptive}},
+      {"fine_output", {"output.interval=0.005", "output.frame_interval=0.005"}},
+  };
+  cases.insert(cases.end(), more.begin(), more.end());
+  return cases;
+}
+
 void expect_resumes(const std::string& text, const ResumeCase& changed, Outcome outcome,
                     const std::function<void(const fs::path&)>& look) {
   const Mission mission = parse_mission(text, "mission", RETIARIUS_SOURCE_DIR, changed.overrides);

@@ -46,6 +46,9 @@ struct ResumeCase {
 std::ostream& operator<<(std::ostream& out, const ResumeCase& c);
 std::string name_of(const ::testing::TestParamInfo<ResumeCase>& instance);
 
+// By every implicit method, with fixed and adaptive steps, with more output, and then `more`.
+std::vector<ResumeCase> by_implicit_methods(const std::vector<ResumeCase>& more);
+
 // Runs the mission with and without breaks at random but seeded steps, more or less one in each
 // sixth of the run, and compares what both leave. `look` sees the folder of the run without.
 void expect_resumes(const std::string& text, const ResumeCase& changed, Outcome outcome,
