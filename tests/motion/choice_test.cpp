@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/family.hpp"
+#include "benchmarks/flights.hpp"
 #include "retiarius/motion/stable_step.hpp"
 #include "tests/motion/advance.hpp"
 #include "tests/motion/flying_net.hpp"
@@ -15,18 +16,10 @@ using ::testing::HasSubstr;
 
 const std::vector<Body> kNoBodies;
 
-// Square net of 5 m with meshes of 0.2 m, threads of 70 GPa.
+// The net whose flight is timed, also with threads that push.
 Network stiff_net(int segments, bool compression = false) {
-  NetSpec spec;
-  spec.pattern = Pattern::square;
-  spec.side = 5.0;
-  spec.mesh = 0.2;
-  spec.segments = segments;
-  spec.thread.young_modulus = 70e9;
-  spec.thread.density = 1390.0;
-  spec.thread.radius = 0.0005;
+  NetSpec spec = benchmarks::flight_net(segments);
   spec.thread.compression = compression;
-  spec.thread.material_damping = 1e-6;
   return build_network(spec);
 }
 
