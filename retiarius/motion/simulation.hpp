@@ -136,6 +136,7 @@ class Simulation {
   double round_off_step() const;
   void check_newton(const IntegratorSpec& integrator, const ContactSpec& contact) const;
   bool reuses_factors() const;
+  bool goes_on_accelerating() const;
   double force_floor(const Step& step) const;
   void accept(const Step& step, const std::vector<Prescribed>& prescribed,
               const std::vector<Vec3>& past_change, double end);

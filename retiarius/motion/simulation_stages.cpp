@@ -83,6 +83,10 @@ bool Simulation::try_one_stage(double end, const PrescribedMotion& motion, StepR
     return false;
   if (method == Method::generalised_alpha) {
     remember_acceleration(h);
+  } else if (goes_on_accelerating()) {
+    std::vector<Vec3>& a = state_.memory.acceleration;
+    a.resize(law_change_.size());
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = law_change_[i] / h;
   } else {
     forget_acceleration();
   }

@@ -81,7 +81,9 @@ bool Iteration::find_descent() {
 void Iteration::choose_next(double size) {
   const double rate = size_before_ > 0.0 ? size / size_before_ : 1.0;
   const bool last = size <= settings_.step_tolerance;
-  next_is_chord_ = settings_.reuse && (last || rate <= (chord_ ? kFastChord : kFastNewton));
+  const bool is_short = !chord_ && size <= settings_.chord_step;
+  next_is_chord_ =
+      settings_.reuse && (last || is_short || rate <= (chord_ ? kFastChord : kFastNewton));
   size_before_ = size;
 }
 

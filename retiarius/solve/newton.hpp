@@ -70,6 +70,9 @@ struct NewtonSettings {
   double round_off_step = 0.0;
   double round_off_ratio = 100.0;
   int max_iterations = 50;
+  // After a step of a new factorisation that is at most so long the next one is taken from it too,
+  // whatever their ratio. 0: never.
+  double chord_step = 0.0;
   // Keep a factorisation while the steps it gives shrink fast enough (see minimise()).
   bool reuse = true;
 };
@@ -84,9 +87,9 @@ struct NewtonResult {
 
 // Close to the minimum the Hessian hardly changes, and a step with the last factorisation (the
 // chord method) costs an evaluation and a solve instead of a factorisation besides. The iteration
-// changes over to it where a Newton step is at most a tenth of the one before, and back where a
-// step with an old factorisation is more than three tenths of the one before, was shortened or does
-// not descend. The test of convergence is the same for both.
+// changes over to it where a Newton step is short, or at most a tenth of the one before, and back
+// where a step with an old factorisation is more than three tenths of the one before, was shortened
+// or does not descend. The test of convergence is the same for both.
 NewtonResult minimise(NewtonProblem& problem, const NewtonSettings& settings);
 
 // One whole Newton update without line search and without a look at where it leads (Baraff and

@@ -41,7 +41,8 @@ struct Account {
 // What a time integrator carries from step to step besides positions and velocities. Empty and zero
 // at a start; an integrator that finds nothing here starts up from the present forces.
 struct Memory {
-  // Of generalised alpha: each node's acceleration by the laws alone, m/s2; empty: not known.
+  // Each node's acceleration by the laws alone, m/s2, for generalised alpha and for the first guess
+  // of implicit Euler; empty: not known.
   std::vector<Vec3> acceleration;
   // What outside forces have in the sum of m times those, N, and their moment about the origin.
   Vec3 outside_force = Vec3::Zero();

@@ -126,6 +126,24 @@ TEST(Newton, KeepsAFactorisationWhileItServes) {
   EXPECT_LT((kept.x - fresh.x).norm(), 1e-11);
 }
 
+// A short first step tells that the second will be much shorter: one factorisation serves for both.
+TEST(Newton, KeepsAFactorisationAfterAShortStep) {
+  Scalars far = smooth(1.0, 0.7);
+  ASSERT_TRUE(minimise(far, to(1e-12)).converged);
+  NewtonSettings settings = to(1e-10);
+  Scalars never = smooth(far.x[0] + 0.01, far.x[1] - 0.01);
+  EXPECT_EQ(minimise(never, settings).factorisations, 2);
+  settings.chord_step = 0.03;
+  Scalars kept = smooth(far.x[0] + 0.01, far.x[1] - 0.01);
+  const NewtonResult r = minimise(kept, settings);
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_EQ(r.factorisations, 1);
+  EXPECT_LT((kept.x - far.x).norm(), 1e-10);
+  settings.reuse = false;
+  Scalars fresh = smooth(far.x[0] + 0.01, far.x[1] - 0.01);
+  EXPECT_GT(minimise(fresh, settings).factorisations, 1);
+}
+
 // A kink, as where a slack thread becomes taut: (x + 1)^2 / 2 with another 1000 x^2 / 2 beyond 0,
 // and its mirror image in a second unknown coupled to the first.
 TEST(Newton, GivesUpAnOldFactorisationThatDoesNotServe) {
