@@ -24,6 +24,7 @@ struct BenchArguments {
   std::string what = "family", mission;
   std::vector<std::string> overrides;
   std::vector<int> segments{2, 4, 10};
+  std::vector<int> edges;  // empty: the family's own
   int largest = 0, steps = 0, repeats = 0;  // 0: what suits the rows asked for
   bool json = false, quick = false, references = false;
   std::string csv;
@@ -35,13 +36,21 @@ void save_csv(const BenchArguments& arguments, const std::string& text) {
   if (!arguments.csv.empty()) write_atomically(arguments.csv, text);
 }
 
-// From the net of 631 nodes up, doubling.
-std::vector<Member> family(int largest) {
+// Edges that double the number of nodes from one net to the next.
+std::vector<int> growing_edges(int first) {
+  std::vector<int> edges;
+  for (double n = first; n < 200.0; n *= 1.414) edges.push_back(static_cast<int>(n));
+  return edges;
+}
+
+// From the net of 631 nodes up, or of the edges that were asked for.
+std::vector<Member> family(const BenchArguments& arguments) {
+  const int largest = or_else(arguments.largest, arguments.edges.empty() ? 10000 : 1000000);
   std::vector<Member> members;
   for (const auto& [s, across] : {std::pair{0, true}, {3, true}, {9, true}, {9, false}}) {
-    for (double n = s == 0 ? 7.0 : 5.0; n < 200.0; n *= 1.414) {
+    for (const int n : arguments.edges.empty() ? growing_edges(s == 0 ? 7 : 5) : arguments.edges) {
       Member m;
-      m.n = static_cast<int>(n);
+      m.n = n;
       m.s = s;
       m.across = across;
       if (count_network(net_of(m)).nodes > 1.05 * largest) break;
@@ -59,7 +68,7 @@ void finish(const BenchArguments& arguments, const std::vector<Measurement>& all
 void bench_family(const BenchArguments& arguments) {
   std::vector<Measurement> all;
   if (!arguments.json) print(heading_text());
-  for (const Member& member : family(or_else(arguments.largest, 10000))) {
+  for (const Member& member : family(arguments)) {
     for (const auto& [h, newton] :
          {std::pair{0.01, Newton::converged}, {0.001, Newton::converged}, {0.01, Newton::single}}) {
       Settings settings;
@@ -156,6 +165,12 @@ void add_bench_command(CLI::App& app) {
                    "Nodes of the largest net; default 10000, of threads 110000")
       ->type_name("N")
       ->check(quiet(CLI::Range(600, 1000000)));
+  command
+      ->add_option("--edges", arguments->edges,
+                   "Meshes along the edge of the family's nets, instead of its own")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->check(quiet(CLI::Range(2, 200)));
   command->add_option("--segments", arguments->segments, "Of a piece in flights; default 2,4,10")
       ->type_name("N,...")
       ->delimiter(',')

@@ -67,7 +67,8 @@ def contact(phase, method):
     lines = {"modified-mass": 'method = "modified-mass"',
              "barrier": 'method = "barrier"',
              "barrier-self": 'method = "barrier"\nself = true'}[method]
-    return phase.replace('method = "barrier"', lines)
+    own_step = r"\[phase\.integrator\]\nstep = .*\n"
+    return re.sub(own_step, "", phase).replace('method = "barrier"', lines)
 
 
 def main():

@@ -6,6 +6,7 @@ usage='usage: scripts/random-captures.sh COUNT SEED [OPTION...]
   --first N       number of the first capture (default: 1)
   --limit SECONDS of processor time for one run (default: 600); 20 times as much by the clock
   --out DIR       missions, and results of runs that went wrong (default: out/random-captures-SEED)
+  --self PERCENT  of captures have threads touch threads, which costs many times more (default: 10)
   --keep          keep the results of good runs too
 Each capture (scripts/random_capture.py) is run with one thread at low priority. A run is good if
 it finishes, or ends with a clear error, and `retiarius check-contact` finds nothing in its frames.
@@ -14,7 +15,7 @@ Prints one line a run and a summary; ends with 1 if any run was bad.'
 fail() { printf 'random-captures.sh: %s\n%s\n' "$1" "$usage" >&2; exit 2; }
 root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 program="$root/build/ci/program/retiarius"
-first=1 limit=600 keep='' out=''
+first=1 limit=600 own=10 keep='' out=''
 case "${1:-}" in -h | --help) printf '%s\n' "$usage"; exit 0 ;; esac
 [ $# -ge 2 ] || fail 'COUNT and SEED are needed'
 count="$1" seed="$2"
@@ -22,18 +23,19 @@ shift 2
 while [ $# -gt 0 ]; do
   case "$1" in
     --keep) keep=yes; shift; continue ;;
-    --program | --first | --limit | --out) [ $# -ge 2 ] || fail "$1 needs a value" ;;
+    --program | --first | --limit | --self | --out) [ $# -ge 2 ] || fail "$1 needs a value" ;;
     *) fail "unknown option $1" ;;
   esac
   case "$1" in
     --program) program="$2" ;;
     --first) first="$2" ;;
     --limit) limit="$2" ;;
+    --self) own="$2" ;;
     --out) out="$2" ;;
   esac
   shift 2
 done
-for number in "$count" "$seed" "$first" "$limit"; do
+for number in "$count" "$seed" "$first" "$limit" "$own"; do
   [[ $number =~ ^[0-9]+$ ]] || fail "$number is no whole number"
 done
 [ -x "$program" ] || fail "$program cannot be run"
@@ -52,9 +54,10 @@ last=$((first + count - 1))
 for ((number = first; number <= last; ++number)); do
   folder="$out/$number"
   rm -rf -- "$folder"
-  # shellcheck disable=SC2086  # The fourth argument is there or not.
+  share="$(awk -v percent="$own" 'BEGIN { print percent / 100 }')"
+  # shellcheck disable=SC2086  # The fifth argument is there or not.
   read -r nodes step speed friction self radius < <(
-    python3 "$root/scripts/random_capture.py" "$folder" "$seed" "$number" ${checks:+every-step})
+    python3 "$root/scripts/random_capture.py" "$folder" "$seed" "$number" "$share" ${checks:+every-step})
   code=0
   (
     ulimit -t "$limit"

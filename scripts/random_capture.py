@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Writes one random capture: FOLDER/mission.toml and FOLDER/satellite.obj.
 
-    python3 scripts/random_capture.py FOLDER SEED NUMBER [EVERY_STEP]
+    python3 scripts/random_capture.py FOLDER SEED NUMBER [SELF_SHARE [EVERY_STEP]]
 
 A flat net of 500 to 5,000 nodes meets a satellite with panels 5 mm thick and rods 10 mm thick that
 comes at 1 to 30 m/s, in any attitude, turning at up to 10 deg/s; two seconds, with the first touch
 at about a tenth of them. The same seed and number give the same capture. Prints one line of what
-was drawn: nodes, step, speed, friction, thread on thread, radius. With a fourth argument the
-mission keeps a frame of every accepted step, for `retiarius check-contact`.
+was drawn: nodes, step, speed, friction, thread on thread, radius. SELF_SHARE is the probability of
+thread on thread, 0.1 where it is not given; with a fifth argument the mission keeps a frame of every
+accepted step, for `retiarius check-contact`.
 """
 
 import math
@@ -63,7 +64,8 @@ def vector(direction, size):
 
 def main():
     folder, seed, number = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    every_step = len(sys.argv) > 4
+    self_share = float(sys.argv[4]) if len(sys.argv) > 4 else 0.1
+    every_step = len(sys.argv) > 5
     rng = random.Random(seed * 1000003 + number)
     pattern, n, segments, nodes = draw_net(rng)
     side = rng.uniform(3.0, 5.0) if pattern == "square" else rng.uniform(2.0, 3.0)
@@ -72,7 +74,7 @@ def main():
     speed = math.exp(rng.uniform(0.0, math.log(30.0)))
     step = rng.choice([0.0025, 0.005, 0.01])
     friction = rng.choice([0.0, 0.1, 0.2, 0.4])
-    own = rng.random() < 0.1  # costs many times more
+    own = rng.random() < self_share
     distance = REACH + 0.2 * speed
     aim = [rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)]
     os.makedirs(folder, exist_ok=True)

@@ -49,7 +49,8 @@ if [ -z "$machine" ]; then
 fi
 results="benchmarks/results/$machine"
 mkdir -p -- "$results"
-export OPENBLAS_NUM_THREADS=1
+# One thread for the opponents too: CHOLMOD's loops heed only the second.
+export OPENBLAS_NUM_THREADS=1 OMP_THREAD_LIMIT=1
 
 long() { [ "$full" = yes ]; }
 

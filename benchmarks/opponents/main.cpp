@@ -73,13 +73,14 @@ void factor_and_solve(benchmark::State& state, Maker make) {
   state.counters["nodes"] = static_cast<double>(x.size());
 }
 
-// The whole step from the flat start, with a new factorisation for every iteration.
-void step(benchmark::State& state, Maker make) {
+// The whole step from the flat start; with Solver::direct with a new factorisation for every
+// iteration.
+void step(benchmark::State& state, Maker make, Solver way) {
   set_threads(1);
   Settings settings;
   settings.steps = 10;
   settings.repeats = 1;
-  settings.solver = Solver::direct;
+  settings.solver = way;
   settings.make_solver = make;
   const Member member{static_cast<int>(state.range(0)), static_cast<int>(state.range(1))};
   for (auto _ : state) {
@@ -95,9 +96,10 @@ void steps(benchmark::internal::Benchmark* b) {
   for (const auto& [n, s] : {std::pair{11, 3}, {21, 3}}) b->Args({n, s});
 }
 
-BENCHMARK_CAPTURE(step, ours, make_net_solver)->Apply(steps);
-BENCHMARK_CAPTURE(step, cholmod_supernodal, make_cholmod_solver)->Apply(steps);
-BENCHMARK_CAPTURE(step, eigen_metis, make_eigen_metis_solver)->Apply(steps);
+BENCHMARK_CAPTURE(step, ours, make_net_solver, Solver::direct)->Apply(steps);
+BENCHMARK_CAPTURE(step, ours_as_it_is, make_net_solver, Solver::automatic)->Apply(steps);
+BENCHMARK_CAPTURE(step, cholmod_supernodal, make_cholmod_solver, Solver::direct)->Apply(steps);
+BENCHMARK_CAPTURE(step, eigen_metis, make_eigen_metis_solver, Solver::direct)->Apply(steps);
 
 // The first tenth of a second of a stiff net's flight, in which its threads snap taut.
 void flight(benchmark::State& state, Way way) {

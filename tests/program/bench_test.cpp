@@ -24,6 +24,16 @@ TEST(Bench, FliesInEveryWay) {
   EXPECT_THAT(folder.read("f.csv"), HasSubstr("\n2,1976,plain-explicit,"));
 }
 
+TEST(Bench, TimesTheNetsAskedFor) {
+  const WorkFolder folder;
+  const ProcessResult result =
+      folder.run({"bench", "--edges", "2,3", "--quick", "--threads", "1", "--csv", "n.csv"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, ContainsRegex("\n +37 +3 +0 +across +0.01 +1 +auto "));
+  EXPECT_THAT(folder.read("n.csv"), HasSubstr("\n343,2,9,0,"));
+  EXPECT_EQ(folder.run({"bench", "--edges", "1"}).exit_code, 2);
+}
+
 TEST(Bench, TimesThreads) {
   const WorkFolder folder;
   const ProcessResult result = folder.run({"bench", "threads", "--largest", "9000", "--steps", "1",
