@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 """Measures what contact costs on missions/capture.toml, for each way of contact and several steps.
 
-    python3 scripts/contact_cost.py [--steps H,H...] [--methods NAME,NAME...] [PROGRAM]
+    python3 scripts/contact_cost.py [--steps H,H...] [--methods NAME,NAME...] [--check]
+                                    [--limit SECONDS] [PROGRAM]
 
     --steps    integrator.step of the runs, s (default: 0.0025,0.005,0.01)
     --methods  of flight, modified-mass, barrier, barrier-self (default: all)
+    --check    run each once more with a frame of every step, and let `retiarius check-contact` look
+               for penetration: how many states and motions, and the deepest
+    --limit    processor seconds that a run may take (default: 1200)
     PROGRAM    default: build/ci/program/retiarius
 
 The mission's net is folded once (with threads that keep apart for barrier-self). From this bundle
@@ -47,19 +51,35 @@ def write(folder, name, head, phases):
     return path
 
 
-def run(program, mission, out, settings=()):
+def run(program, mission, out, limit, settings=()):
     """Processor seconds and the summary; None where the run does not finish."""
     words = [program, "run", mission, "--quiet", "--threads", "1", "--out", out]
     for setting in settings:
         words += ["--set", setting]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run(words, capture_output=True, text=True)
+    done = subprocess.run(words, capture_output=True, text=True, preexec_fn=lambda:
+                          resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)))
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if done.returncode != 0:
-        print(f"{os.path.basename(mission)}: {done.stderr.strip()}", file=sys.stderr)
+        why = done.stderr.strip() or f"ended by signal {-done.returncode}"
+        print(f"{os.path.basename(mission)}: {why}", file=sys.stderr)
         return None
     with open(os.path.join(out, "summary.json")) as file:
         return after.ru_utime - before.ru_utime, json.load(file)
+
+
+def checked(program, mission, out, limit, settings):
+    """What check-contact finds in the same run with a frame of every step."""
+    if run(program, mission, out, limit, [*settings, "output.every_step=true"]) is None:
+        return "?"
+    words = [program, "check-contact", out, "--json"]
+    if "self" in os.path.basename(mission):
+        words.append("--self")
+    found = json.loads(subprocess.run(words, capture_output=True, text=True).stdout)
+    if found["clean"]:
+        return f"none in {found['states']} states"
+    return (f"{found['penetrations']} at states, {found['approaches'] + found['crossings']} in "
+            f"motion, to {1e3 * found['deepest']:.2f} mm")
 
 
 def contact(phase, method):
@@ -75,6 +95,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--steps", default="0.0025,0.005,0.01")
     parser.add_argument("--methods", default=",".join(METHODS))
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--limit", type=int, default=1200)
     parser.add_argument("program", nargs="?",
                         default=os.path.join(ROOT, "build", "ci", "program", "retiarius"))
     options = parser.parse_args()
@@ -95,11 +117,12 @@ def main():
             if name == "apart":
                 phase += '[phase.contact]\nmethod = "barrier"\nself = true\n'
             out = os.path.join(folder, name)
-            if run(options.program, write(folder, name, head, [phase]), out) is None:
+            if run(options.program, write(folder, name, head, [phase]), out, options.limit) is None:
                 return 1
             state[name] = f'net.state="{out}"'
         print("| contact | step | processor s per s | over flight | iterations | smallest distance | "
-              "contact | search |\n|---|---|---|---|---|---|---|---|")
+              "contact | search |" + (" found by check-contact |" if options.check else "") +
+              "\n|---|---|---|---|---|---|---|---|" + ("---|" if options.check else ""))
         base = {}
         for method in options.methods.split(","):
             for step in options.steps.split(","):
@@ -110,7 +133,8 @@ def main():
                 else:
                     mission = write(folder, f"{method}-{step}", head,
                                     [contact(phase, method) for phase in rest])
-                result = run(options.program, mission, out, [start, f"integrator.step={step}"])
+                settings = [start, f"integrator.step={step}"]
+                result = run(options.program, mission, out, options.limit, settings)
                 if result is None:
                     print(f"| {method} | {step} | failed | | | | | |")
                     continue
@@ -122,10 +146,15 @@ def main():
                 m, work = summary["measures"], summary["timings"]["work_seconds"]
                 whole = work["assembly"] + work["factorisation"] + work["solution"]
                 near = m["smallest_distance"]
+                found = ""
+                if options.check and method != "flight":
+                    found = checked(options.program, mission, out + "-checked", options.limit,
+                                    settings)
                 print(f"| {method} | {1e3 * float(step):g} ms | {cost:.1f} | {ratio} | "
                       f"{m['newton_iterations']} | {'' if near is None else f'{1e3 * near:.3f} mm'} | "
                       f"{100 * work['contact'] / whole:.0f} % | "
-                      f"{100 * work['contact_search'] / whole:.0f} % |", flush=True)
+                      f"{100 * work['contact_search'] / whole:.0f} % |" +
+                      (f" {found} |" if options.check else ""), flush=True)
     return 0
 
 

@@ -26,8 +26,8 @@ const TomlFileKind kMissionFile{"mission", "the campaign needs a whole mission"}
 // 128 bits that tell texts apart, as 32 hexadecimal digits; not meant against forgery.
 std::string hash(const std::string& text) {
   std::uint64_t a = text.size(), b = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
     a = random_bits(a, 1, byte);
     b = random_bits(b, 2, byte);
   }

@@ -167,7 +167,7 @@ Key<Spec> key(std::string name, T Spec::*member, std::string unit, std::string m
 // A key whose words stand for the values of an enumeration.
 template <class Spec, class Enum>
 Key<Spec> word(std::string name, Enum Spec::*member,
-               std::vector<std::pair<std::string, Enum>> choices, std::string meaning) {
+               const std::vector<std::pair<std::string, Enum>>& choices, std::string meaning) {
   Key<Spec> k;
   k.name = std::move(name);
   k.type = KeyType::word;
