@@ -51,6 +51,7 @@ double StepProblem::add_barrier(Assembly& out) {
 // Threads that touch couple nodes that no law couples. What is near already is taken along, so that
 // the pattern is analysed anew seldom; what has parted since is dropped then.
 void StepProblem::grow_pattern() {
+  const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
   const auto needed = start_.barrier->couplings(end_.places(), 1.0);
   if (std::includes(couplings_.begin(), couplings_.end(), needed.begin(), needed.end())) return;
@@ -92,7 +93,7 @@ void StepProblem::follow_couplings() {
 
 double StepProblem::free_fraction(double wanted) {
   if (!start_.barrier) return wanted;
-  const Stopwatch watch(times_.contact);
+  const Stopwatch all(times_.assembly), watch(times_.contact);
   move(0.0);
   find_end(end_);
   move(wanted);
@@ -103,13 +104,14 @@ double StepProblem::free_fraction(double wanted) {
 
 std::vector<PairContact> StepProblem::barrier_contacts() {
   if (!start_.barrier) return {};
+  const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
   return start_.barrier->contacts(end_.places());
 }
 
 std::string StepProblem::blocked_motion() {
   if (!start_.barrier) return {};
-  const Stopwatch watch(times_.contact);
+  const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
   const State& start = *start_.step->start;
   const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());

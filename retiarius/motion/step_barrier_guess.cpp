@@ -1,6 +1,7 @@
 // Where a step with barriers starts its iteration: as near to the first guess as is free.
 #include <algorithm>
 
+#include "retiarius/base/stopwatch.hpp"
 #include "retiarius/motion/step_problem.hpp"
 
 namespace retiarius {
@@ -25,6 +26,7 @@ bool is_of_threads(const ContactPair& pair) {
 // move together, and their neighbours follow as far as the segments between them reach. Where that
 // does not help, everything goes only as far as all of it is free.
 void StepProblem::free_guess() {
+  const Stopwatch all(times_.assembly), watch(times_.contact);
   const Step& step = *start_.step;
   const State& start = *step.start;
   End from;
