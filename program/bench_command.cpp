@@ -24,7 +24,7 @@ struct BenchArguments {
   std::string what = "family", mission;
   std::vector<std::string> overrides;
   std::vector<int> segments{2, 4, 10};
-  std::vector<int> edges;  // empty: the family's own
+  std::vector<int> edges;                   // empty: the family's own
   int largest = 0, steps = 0, repeats = 0;  // 0: what suits the rows asked for
   bool json = false, quick = false, references = false;
   std::string csv;
@@ -39,7 +39,11 @@ void save_csv(const BenchArguments& arguments, const std::string& text) {
 // Edges that double the number of nodes from one net to the next.
 std::vector<int> growing_edges(int first) {
   std::vector<int> edges;
-  for (double n = first; n < 200.0; n *= 1.414) edges.push_back(static_cast<int>(n));
+  double n = first;
+  while (n < 200.0) {
+    edges.push_back(static_cast<int>(n));
+    n *= 1.414;
+  }
   return edges;
 }
 

@@ -64,7 +64,7 @@ void factor_and_solve(benchmark::State& state, Maker make) {
   const std::unique_ptr<LinearSolver> solver = make();
   solver->analyse(m.pattern);
   std::vector<Vec3> x(m.matrix.diagonal.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     if (!solver->factor(m.matrix)) state.SkipWithError("not positive definite");
     std::fill(x.begin(), x.end(), Vec3::Ones());
     solver->solve(x);
@@ -83,7 +83,7 @@ void step(benchmark::State& state, Maker make, Solver way) {
   settings.solver = way;
   settings.make_solver = make;
   const Member member{static_cast<int>(state.range(0)), static_cast<int>(state.range(1))};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Measurement m = measure(member, settings);
     state.SetIterationTime(m.step);
     state.counters["nodes"] = m.nodes;
@@ -109,7 +109,7 @@ void flight(benchmark::State& state, Way way) {
   f.way = way;
   f.until = 0.1;
   if (way == Way::euler) f.step = euler_step(f.segments);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const FlightResult result = fly(f);
     state.SetIterationTime(result.seconds);
     state.counters["nodes"] = result.nodes;

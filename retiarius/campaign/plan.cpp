@@ -133,6 +133,7 @@ void CampaignPlan::correlate_groups(std::vector<double>& shares) const {
 std::vector<double> CampaignPlan::shares(std::int64_t id) const {
   if (campaign_->plan.design == Design::grid) return grid_shares(id);
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(dimensions_));
   for (int d = 0; d < dimensions_; ++d) result.push_back(open_share(share(id, d)));
   return result;
 }
@@ -157,7 +158,8 @@ PlannedRun CampaignPlan::run(std::int64_t id) const {
     at += width;
     const std::string value = variable_value(variable, inputs);
     result.inputs.insert(result.inputs.end(), inputs.begin(), inputs.end());
-    for (const std::string& path : variable.sets) result.overrides.push_back(path + "=" + value);
+    for (const std::string& path : variable.sets)
+      result.overrides.push_back(fmt::format("{}={}", path, value));
   }
   result.overrides.push_back(fmt::format("seed={}", result.seed));
   return result;

@@ -1,8 +1,10 @@
 #include "retiarius/campaign/process_engine.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -29,6 +31,17 @@ void wait_for_answers(const std::vector<std::unique_ptr<WorkerProcess>>& workers
   ::poll(watched.data(), watched.size(), kLongestWait);
 }
 
+// A coordinator that was killed while it started a worker leaves a child that holds the lock until
+// it has become the worker's program or has died too: that is worth a second's patience.
+bool take_lock(int file) {
+  constexpr int kTrials = 20;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
 bool is_part(const Campaign& campaign, const EngineSettings& settings) {
   return settings.first > 0 || settings.last < campaign.plan().runs();
 }
@@ -44,6 +57,7 @@ std::vector<std::unique_ptr<WorkerProcess>> make_workers(const Campaign& campaig
   std::vector<std::unique_ptr<WorkerProcess>> workers;
   const std::string ids =
       is_part(campaign, settings) ? ids_in_name(settings.first, settings.last) : "";
+  workers.reserve(static_cast<std::size_t>(settings.jobs));
   for (int slot = 0; slot < settings.jobs; ++slot)
     workers.push_back(std::make_unique<WorkerProcess>(
         campaign, WorkerSettings{settings.program, campaign.spec().file, settings.folder,
@@ -85,7 +99,7 @@ CampaignLock::CampaignLock(const fs::path& folder) {
   const fs::path path = folder / "lock";
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) throw InputError(fmt::format("{}: {}", path.string(), std::strerror(errno)));
-  if (::flock(file_, LOCK_EX | LOCK_NB) == 0) {
+  if (take_lock(file_)) {
     const std::string text = fmt::format("{}\n", ::getpid());
     if (::ftruncate(file_, 0) == 0) [[maybe_unused]]
       const auto written = ::pwrite(file_, text.data(), text.size(), 0);

@@ -33,8 +33,8 @@ void prepare_campaign_folder(const std::filesystem::path& folder);
 // The name of a shard that no other process writes now: of this machine, process and slot.
 std::string shard_name(int slot);
 
-// Keeps a second coordinator on this machine out of the folder while it lives. Throws InputError
-// that names the process that is at work.
+// Keeps a second coordinator on this machine out of the folder while it lives. Waits up to a second
+// for one that is about to leave, then throws InputError that names the process that is at work.
 class CampaignLock {
  public:
   explicit CampaignLock(const std::filesystem::path& folder);

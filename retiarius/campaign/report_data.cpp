@@ -121,6 +121,7 @@ std::string Influence::name(const std::string& input) const {
 Influence influence(const std::vector<double>& input, const std::vector<double>& result) {
   const double median = distribution(input).median;
   std::vector<double> away;
+  away.reserve(input.size());
   for (double v : input) away.push_back(std::abs(v - median));
   const Influence direct{rank_correlation(input, result), false};
   const Influence folded{rank_correlation(away, result), true};

@@ -138,8 +138,9 @@ std::optional<CampaignFigure> sobol_convergence_figure(const ReportColumns& colu
   const std::vector<std::size_t> order = by_total(all);
   for (std::size_t k = 0; k < std::min(order.size(), kMostCurves); ++k)
     chart.curves.push_back({table.inputs[order[k]], {}, {}, CurveStyle::line});
+  const std::size_t whole = values.size() / rows;
   for (double part : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 3.0 / 4, 1.0}) {
-    const auto blocks = static_cast<std::size_t>(part * static_cast<double>(values.size() / rows));
+    const auto blocks = static_cast<std::size_t>(part * static_cast<double>(whole));
     const std::vector<double> first(values.begin(),
                                     values.begin() + static_cast<std::ptrdiff_t>(blocks * rows));
     const SobolIndices found = sobol_indices(first, table.inputs.size(), options);

@@ -67,6 +67,7 @@ CampaignFigure histogram_figure(const ReportColumns& columns, const std::string&
   std::size_t outside = 0;
   const Extent range = usual_range(values, outside);
   std::vector<double> shown;
+  shown.reserve(values.size());
   for (double v : values) shown.push_back(v >= range.low && v <= range.high ? v : NAN);
   const Histogram bins = histogram(shown);
   const Stack stack = stacked(columns, shown, bins);

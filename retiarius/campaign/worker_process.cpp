@@ -57,6 +57,7 @@ void WorkerProcess::start() {
       settings_.program,         "campaign", "worker",        settings_.campaign, "--out",
       settings_.folder.string(), "--shard",  settings_.shard, "--engine",         settings_.engine};
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   int down[2], up[2];

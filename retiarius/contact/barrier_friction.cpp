@@ -54,7 +54,7 @@ double BarrierContact::add_friction(const Sliding& s, const ContactPlaces& at,
   if (!out || limit == 0.0) return limit * f.value;
   const Vec3 pull = limit * f.over * u;
   Vec12 gradient = Vec12::Zero();
-  for (int i = 0; i < s.count; ++i) gradient.segment<3>(3 * i) = s.weight[i] * pull;
+  for (int i = 0; i < s.count; ++i) gradient.segment<3>(3L * i) = s.weight[i] * pull;
   Mat12 hessian;
   if (out->hessian) {
     Mat3 h = f.over * (Mat3::Identity() - s.normal * s.normal.transpose());
@@ -62,7 +62,7 @@ double BarrierContact::add_friction(const Sliding& s, const ContactPlaces& at,
     hessian.setZero();
     for (int i = 0; i < s.count; ++i)
       for (int j = 0; j < s.count; ++j)
-        hessian.block<3, 3>(3 * i, 3 * j) = (limit * s.weight[i] * s.weight[j]) * h;
+        hessian.block<3, 3>(3L * i, 3L * j) = (limit * s.weight[i] * s.weight[j]) * h;
   }
   scatter(s.places, s.count, gradient, out->hessian ? &hessian : nullptr, at, *out);
   return limit * f.value;
@@ -105,7 +105,7 @@ std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
     c.gap = near.gap;
     c.force = near.force;
     c.energy = near.energy;
-    for (int i = 0; i < 4; ++i) c.point_force[i] = -near.gradient.segment<3>(3 * i);
+    for (int i = 0; i < 4; ++i) c.point_force[i] = -near.gradient.segment<3>(3L * i);
     const int first = first_count(pair.kind);
     for (int i = 0; i < first; ++i) c.point += near.distance.weight[i] * near.p[i];
     c.point -= near.distance.value * near.distance.normal;

@@ -26,6 +26,7 @@ Box box_of(const CollisionMesh& mesh, const std::array<Index, 3>& triangle) {
 template <class Primitives>
 std::vector<Box> boxes_of(const CollisionMesh& mesh, const Primitives& primitives) {
   std::vector<Box> boxes;
+  boxes.reserve(primitives.size());
   for (const auto& primitive : primitives) boxes.push_back(box_of(mesh, primitive));
   return boxes;
 }

@@ -28,7 +28,7 @@ struct ContactPair {
   Index first_owner = kNet, first = kNone;
   Index second_owner = kNet, second = kNone;  // of a plane `second` is 0
 
-  auto operator<=>(const ContactPair&) const = default;
+  auto operator<=>(const ContactPair&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 // How many points a pair has, and how many of them are of the first primitive.

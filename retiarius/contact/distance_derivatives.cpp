@@ -59,7 +59,7 @@ Mat12 outer(const Vec12& a, const Vec12& b) { return a * b.transpose(); }
 // w (x) v as a vector of 12.
 Vec12 spread(const std::array<double, 4>& w, const Vec3& v) {
   Vec12 out;
-  for (int i = 0; i < 4; ++i) out.segment<3>(3 * i) = w[size_of(i)] * v;
+  for (int i = 0; i < 4; ++i) out.segment<3>(3L * i) = w[size_of(i)] * v;
   return out;
 }
 
@@ -80,7 +80,7 @@ Mat12 distance_hessian(const Distance& at, const PairPositions& p) {
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         const double ww = at.weight[size_of(i)] * at.weight[size_of(j)];
-        if (ww != 0.0) out.block<3, 3>(3 * i, 3 * j) += ww * across;
+        if (ww != 0.0) out.block<3, 3>(3L * i, 3L * j) += ww * across;
       }
     }
   }
@@ -138,10 +138,10 @@ EdgeWeight edge_weight(const PairPositions& p, double threshold) {
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const double sign = i == j ? 1.0 : -1.0;
-      hessian.block<3, 3>(3 * i, 3 * j) = sign * caa;
-      hessian.block<3, 3>(6 + 3 * i, 6 + 3 * j) = sign * cbb;
-      hessian.block<3, 3>(3 * i, 6 + 3 * j) = sign * cab;
-      hessian.block<3, 3>(6 + 3 * j, 3 * i) = sign * cab.transpose();
+      hessian.block<3, 3>(3L * i, 3L * j) = sign * caa;
+      hessian.block<3, 3>(6 + 3L * i, 6 + 3L * j) = sign * cbb;
+      hessian.block<3, 3>(3L * i, 6 + 3L * j) = sign * cab;
+      hessian.block<3, 3>(6 + 3L * j, 3L * i) = sign * cab.transpose();
     }
   }
   const double share = c / threshold;

@@ -7,7 +7,7 @@ Box box_of(const Vec3& a, const Vec3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}
 
 Mat3 turned(const BodyTwist& twist) {
   const double angle = twist.rotation.norm();
-  const Mat3 start = twist.attitude.toRotationMatrix();
+  Mat3 start = twist.attitude.toRotationMatrix();
   if (!(angle > 0.0)) return start;
   return Eigen::AngleAxisd(angle, twist.rotation / angle).toRotationMatrix() * start;
 }

@@ -29,7 +29,7 @@ double flat_hull_area(const std::vector<Vec3>& points) {
   if (points.size() < 3) return 0.0;
   // Axes in the plane: towards the farthest point from the first, and across to the farthest of
   // the rest.
-  const Vec3 origin = points.front();
+  const Vec3& origin = points.front();
   Vec3 along = Vec3::Zero();
   for (const Vec3& p : points)
     if ((p - origin).squaredNorm() > along.squaredNorm()) along = p - origin;
@@ -45,6 +45,7 @@ double flat_hull_area(const std::vector<Vec3>& points) {
   across.normalize();
 
   std::vector<Eigen::Vector2d> flat;
+  flat.reserve(points.size());
   for (const Vec3& p : points) flat.emplace_back((p - origin).dot(along), (p - origin).dot(across));
   std::sort(flat.begin(), flat.end(), [](const auto& a, const auto& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());

@@ -138,13 +138,13 @@ struct Key : KeyInfo {
   Key& at_least(double low) { return range.low = low, range.above = false, *this; }
   Key& up_to(double high) { return range.high = high, *this; }
   Key& or_infinite() { return range.infinite = true, *this; }
-  Key& only_for(std::vector<std::string> words_of_selector) {
-    return owners = std::move(words_of_selector), *this;
+  Key& only_for(const std::vector<std::string>& words_of_selector) {
+    return owners = words_of_selector, *this;
   }
-  Key& else_used(std::string text) { return default_text = std::move(text), *this; }
+  Key& else_used(const std::string& text) { return default_text = text, *this; }
   Key& or_else(KeyValue value) { return fallback = std::move(value), *this; }
-  Key& not_yet(std::vector<std::string> words_planned) {
-    return planned = std::move(words_planned), *this;
+  Key& not_yet(const std::vector<std::string>& words_planned) {
+    return planned = words_planned, *this;
   }
   Key& of_type(KeyType other) { return type = other, *this; }
   Key& file_path() { return path = true, *this; }
@@ -153,12 +153,13 @@ struct Key : KeyInfo {
 
 // A key of the type of its member.
 template <class Spec, class T>
-Key<Spec> key(std::string name, T Spec::*member, std::string unit, std::string meaning) {
+Key<Spec> key(const std::string& name, T Spec::*member, const std::string& unit,
+              const std::string& meaning) {
   Key<Spec> k;
-  k.name = std::move(name);
+  k.name = name;
   k.type = key_type<T>();
-  k.unit = std::move(unit);
-  k.meaning = std::move(meaning);
+  k.unit = unit;
+  k.meaning = meaning;
   k.get = [member](const Spec& spec) { return to_value(spec.*member); };
   k.set = [member](Spec& spec, const KeyValue& value) { from_value(value, spec.*member); };
   return k;
@@ -166,12 +167,13 @@ Key<Spec> key(std::string name, T Spec::*member, std::string unit, std::string m
 
 // A key whose words stand for the values of an enumeration.
 template <class Spec, class Enum>
-Key<Spec> word(std::string name, Enum Spec::*member,
-               const std::vector<std::pair<std::string, Enum>>& choices, std::string meaning) {
+Key<Spec> word(const std::string& name, Enum Spec::*member,
+               const std::vector<std::pair<std::string, Enum>>& choices,
+               const std::string& meaning) {
   Key<Spec> k;
-  k.name = std::move(name);
+  k.name = name;
   k.type = KeyType::word;
-  k.meaning = std::move(meaning);
+  k.meaning = meaning;
   for (const auto& choice : choices) k.words.push_back(choice.first);
   k.get = [member, choices](const Spec& spec) -> KeyValue {
     for (const auto& [text, value] : choices) {

@@ -3,10 +3,12 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include <gmock/gmock.h>
 
+#include "retiarius/campaign/process_engine.hpp"
 #include "tests/campaign/small_campaign.hpp"
 
 namespace retiarius {
@@ -105,6 +107,18 @@ TEST(Failures, RunWhoseProcessDiesIsRecordedAsKilled) {
   EXPECT_EQ(query(folder, "o", "SELECT count(*) FROM runs WHERE outcome = 'killed'"), "2");
   EXPECT_THAT(query(folder, "o", "SELECT reason FROM runs"),
               HasSubstr("its process died in each of 2 attempts, the last time by signal 9"));
+}
+
+// As a coordinator that was killed while it started a worker leaves it held for a moment.
+TEST(Failures, LockThatIsAboutToBeLeftIsWaitedFor) {
+  const WorkFolder folder;
+  std::optional<CampaignLock> first(std::in_place, folder.path());
+  std::thread leaves([&first] {
+    std::this_thread::sleep_for(200ms);
+    first.reset();
+  });
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+  leaves.join();
 }
 
 TEST(Failures, SecondCoordinatorIsRefused) {
