@@ -57,7 +57,7 @@ std::vector<Member> family(const BenchArguments& arguments) {
       m.n = n;
       m.s = s;
       m.across = across;
-      if (count_network(net_of(m)).nodes > 1.05 * largest) break;
+      if (count_network(net_of(m)).nodes > 1.05 * largest) continue;
       members.push_back(m);
     }
   }

@@ -187,6 +187,7 @@ TEST_P(Resume, AMovedNetLeavesWhatTheWholeRunLeaves) {
 INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          ::testing::ValuesIn(by_implicit_methods(
                              {{"explicit_differences", {"integrator.method=explicit"}},
+                              {"compression", {"net.thread.compression=true"}},
                               {"no_contact", {"contact.method=none"}},
                               {"no_friction", {"contact.friction=0.0"}}})),
                          testing::name_of);
