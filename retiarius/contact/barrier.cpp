@@ -23,6 +23,13 @@ constexpr std::size_t kGrain = 64;
 // How far anything may move before pairs are looked for anew, over the barrier's range.
 constexpr double kSlack = 4.0;
 
+// Of a gap: what a way may take of it so that it need not be looked along in detail. Less than the
+// share that advance() allows, with room for rounding.
+constexpr double kSafeShare = 0.85;
+
+// Of the ways of bodies, for what their attitudes between two ends differ from a constant twist.
+constexpr double kTwistRoom = 1.05;
+
 // The usual range of the barrier, over the radius of the thinnest thread.
 constexpr double kUsualGap = 0.25;
 
@@ -106,13 +113,12 @@ void BarrierContact::begin(const Step& step) {
   const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
   const ContactPlaces at{&start.x, &start.bodies, &turns};
   for (const ContactPair& pair : search(at, at)) {
-    const double gap = distance(pair.kind, scene_.positions(pair, start.x, start.bodies)).value -
-                       scene_.thickness(pair);
-    if (gap > 0.0) continue;
+    const double apart = gap(pair, at);
+    if (apart > 0.0) continue;
     throw RunError(fmt::format(
         "barrier contact starts at time {:.9g} s from a state that interpenetrates: {} by {:.3g} "
         "m; move them apart, or take contact.method = \"modified-mass\"",
-        start.time, name(pair), -gap));
+        start.time, name(pair), -apart));
   }
   sliding_ = slidings(at);
   rounds_ = 0;
@@ -146,6 +152,8 @@ const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from
   searched_nodes_ = *from.nodes;
   searched_bodies_ = *from.bodies;
   searched_ = is_near_searched(to);
+  evaluated_nodes_.clear();
+  floors_.clear();
   if (!searched_) return broad_->find(*from.nodes, moves_, twists_, range_);
   resting_.assign(n, Vec3::Zero());
   resting_bodies_.clear();
@@ -153,11 +161,61 @@ const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from
   return broad_->find(*from.nodes, resting_, resting_bodies_, range_ + 2.0 * slack_);
 }
 
+bool BarrierContact::is_last_evaluated(const ContactPlaces& at) const {
+  const auto same = [](const BodyState& a, const BodyState& b) {
+    return a.position == b.position && a.attitude.coeffs() == b.attitude.coeffs();
+  };
+  return gaps_.size() == broad_->pairs().size() && evaluated_nodes_ == *at.nodes &&
+         std::equal(at.bodies->begin(), at.bodies->end(), evaluated_bodies_.begin(),
+                    evaluated_bodies_.end(), same);
+}
+
+// How far nodes and points of bodies get from where they start on the way last searched.
+void BarrierContact::bound_ways() {
+  node_ways_.resize(moves_.size());
+  for (std::size_t i = 0; i < moves_.size(); ++i) node_ways_[i] = moves_[i].norm();
+  body_ways_.resize(twists_.size());
+  for (std::size_t b = 0; b < twists_.size(); ++b) {
+    const double turn = twists_[b].rotation.norm();
+    const double round = turn > 0.0 ? turn * scene_.bodies[b].bounding_radius : 0.0;
+    body_ways_[b] = kTwistRoom * (twists_[b].translation.norm() + round);
+  }
+}
+
+// By how much the pair's gap may shrink on the way last searched. A plane that turns goes any way.
+double BarrierContact::way(const ContactPair& pair) const {
+  if (pair.kind == PairKind::point_plane) return kInfinity;
+  const std::array<PointPlace, 4> places = scene_.places(pair);
+  const int first = first_count(pair.kind), count = point_count(pair.kind);
+  double side[2] = {0.0, 0.0};
+  for (int i = 0; i < count; ++i) {
+    const auto [owner, point] = places[i];
+    const double one = owner == kNet ? node_ways_[static_cast<std::size_t>(point)]
+                                     : body_ways_[static_cast<std::size_t>(owner)];
+    side[i < first ? 0 : 1] = std::max(side[i < first ? 0 : 1], one);
+  }
+  return side[0] + side[1];
+}
+
+double BarrierContact::gap(const ContactPair& pair, const ContactPlaces& at) const {
+  return distance(pair.kind, scene_.positions(pair, *at.nodes, *at.bodies)).value -
+         scene_.thickness(pair);
+}
+
 double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces& to) {
   const std::vector<ContactPair>& pairs = search(from, to);
+  bound_ways();
+  const bool known = is_last_evaluated(from);
   shares_.resize(pairs.size());
+  floors_.resize(pairs.size());
   parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
+      const double reach = way(pairs[k]);
+      double least = known ? gaps_[k] : -kInfinity;
+      if (!(reach <= kSafeShare * least)) least = gap(pairs[k], from);
+      floors_[k] = least - reach;
+      shares_[k] = 1.0;
+      if (reach <= kSafeShare * least) continue;
       const PairMotion motion = scene_.motion(pairs[k], *from.nodes, moves_, twists_);
       shares_[k] = advance(motion, scene_.thickness(pairs[k]));
     }
@@ -175,11 +233,15 @@ double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces
 bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPlaces& end,
                                     std::string& pair_name) {
   const std::vector<ContactPair>& pairs = search(start, end);
+  bound_ways();
   shares_.resize(pairs.size());
   parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t stop) {
     for (std::size_t k = begin; k < stop; ++k) {
+      const double thickness = scene_.thickness(pairs[k]), most = kMotionShare * thickness;
+      shares_[k] = 1.0;
+      if (way(pairs[k]) <= kSafeShare * (gap(pairs[k], start) + thickness - most)) continue;
       const PairMotion motion = scene_.motion(pairs[k], *start.nodes, moves_, twists_);
-      shares_[k] = advance(motion, kMotionShare * scene_.thickness(pairs[k]), 1e-3);
+      shares_[k] = advance(motion, most, 1e-3);
     }
   });
   const auto blocked =
@@ -203,8 +265,7 @@ std::vector<std::pair<Index, Index>> BarrierContact::couplings(const ContactPlac
   };
   for (const ContactPair& pair : broad_->pairs()) {
     if (!of_threads(pair)) continue;
-    const PairPositions p = scene_.positions(pair, *at.nodes, *at.bodies);
-    if (distance(pair.kind, p).value - scene_.thickness(pair) < reach * range_) couple(pair);
+    if (gap(pair, at) < reach * range_) couple(pair);
   }
   // Friction acts for the whole round, however far the two have parted since.
   for (const Sliding& s : sliding_)

@@ -146,6 +146,14 @@ class BarrierContact {
     Mat3 turning;  // d(turn of the world) / d(rotation vector)
     bool moves = false;
   };
+  // What a pair adds at the place that is evaluated, in its points' coordinates.
+  struct Term {
+    std::array<PointPlace, 4> places;
+    int count = 0;
+    double energy = 0.0, round_off = 0.0;  // J; N
+    Vec12 gradient = Vec12::Zero();
+    Mat12 hessian = Mat12::Zero();
+  };
   // A pair at the place that is evaluated.
   struct Near {
     PairPositions p;
@@ -167,13 +175,18 @@ class BarrierContact {
                Near& near) const;
   bool is_near_searched(const ContactPlaces& at) const;
   const std::vector<ContactPair>& search(const ContactPlaces& from, const ContactPlaces& to);
+  bool is_last_evaluated(const ContactPlaces& at) const;
+  void bound_ways();
+  double way(const ContactPair& pair) const;
+  double gap(const ContactPair& pair, const ContactPlaces& at) const;
   void mark_near(const ContactPlaces& at);
-  double add_barrier(const ContactPair& pair, const ContactPlaces& at, ContactAssembly* out);
-  double add_friction(const Sliding& s, const ContactPlaces& at, ContactAssembly* out) const;
+  void barrier_term(const ContactPair& pair, const ContactPlaces& at, const ContactAssembly* out,
+                    Term& term) const;
+  void friction_term(const Sliding& s, const ContactPlaces& at, const ContactAssembly* out,
+                     Term& term) const;
   double coefficient(const ContactPair& pair) const;
   Vec3 slip(const Sliding& s, const ContactPlaces& at) const;
-  void scatter(const std::array<PointPlace, 4>& places, int count, const Vec12& gradient,
-               const Mat12* hessian, const ContactPlaces& at, ContactAssembly& out) const;
+  void scatter(const Term& term, const ContactPlaces& at, ContactAssembly& out) const;
   void scatter_net(const std::array<PointPlace, 4>& places, int count, const Mat12& hessian,
                    ContactAssembly& out) const;
   void scatter_body(const std::array<PointPlace, 4>& places, const std::array<Index, 4>& body,
@@ -201,8 +214,16 @@ class BarrierContact {
   std::vector<Vec3> searched_nodes_, resting_;
   std::vector<BodyState> searched_bodies_;
   std::vector<BodyTwist> resting_bodies_;
-  std::vector<double> shares_;  // of each candidate, free of contact
-  std::vector<char> near_;      // whether each candidate is within the range
+  // Of each candidate: the share of the way that is free of contact, and lower bounds of its gap
+  // anywhere on the way last looked along and at the place last evaluated. Bounds only save work:
+  // where one does not decide, the distance itself does.
+  std::vector<double> shares_, floors_, gaps_;
+  std::vector<Vec3> evaluated_nodes_;  // the place last evaluated; empty: bounds are not known
+  std::vector<BodyState> evaluated_bodies_;
+  std::vector<double> node_ways_, body_ways_;  // bounds of the lengths of ways, m
+  std::vector<char> is_near_;                  // whether each candidate is within the range
+  std::vector<std::size_t> near_;              // those that are
+  std::vector<Term> terms_;
   std::vector<BodyPlace> body_places_;
   std::vector<Sliding> sliding_;
   int rounds_ = 0;

@@ -12,6 +12,9 @@ namespace retiarius {
 
 namespace {
 
+// Candidates, and pairs in contact, in one piece of parallel work.
+constexpr std::size_t kGrain = 64, kTermGrain = 16;
+
 // d(turn of the world) / d(rotation vector): the left Jacobian of the rotation group,
 // I + (1 - cos t)/t^2 [v]x + (t - sin t)/t^3 [v]x^2.
 Mat3 left_jacobian(const Vec3& v) {
@@ -60,28 +63,50 @@ Vec3 BarrierContact::world(const PointPlace& place, const ContactPlaces& at) con
          body.attitude * scene_.bodies[static_cast<std::size_t>(place.owner)].points[place.point];
 }
 
+// Terms are computed side by side and added one after the other.
 double BarrierContact::evaluate(const ContactPlaces& at, ContactAssembly* out) {
   place_bodies(at);
-  force_round_off_ = 0.0;
-  double value = 0.0;
   mark_near(at);
   const std::vector<ContactPair>& pairs = broad_->pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (near_[k]) value += add_barrier(pairs[k], at, out);
-  for (const Sliding& s : sliding_) value += add_friction(s, at, out);
+  terms_.resize(near_.size() + sliding_.size());
+  parallel_for(terms_.size(), kTermGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k < near_.size()) {
+        barrier_term(pairs[near_[k]], at, out, terms_[k]);
+      } else {
+        friction_term(sliding_[k - near_.size()], at, out, terms_[k]);
+      }
+    }
+  });
+  double value = 0.0;
+  force_round_off_ = 0.0;
+  for (const Term& term : terms_) {
+    value += term.energy;
+    force_round_off_ = std::max(force_round_off_, term.round_off);
+    if (out && term.count > 0) scatter(term, at, *out);
+  }
   return value;
 }
 
-// Most candidates are not in contact; these are sorted out side by side.
+// Most candidates are not in contact; these are sorted out side by side, most of them by what is
+// known of the way that leads here.
 void BarrierContact::mark_near(const ContactPlaces& at) {
   const std::vector<ContactPair>& pairs = broad_->pairs();
-  near_.resize(pairs.size());
-  parallel_for(pairs.size(), 64, [&](std::size_t begin, std::size_t end) {
+  is_near_.resize(pairs.size());
+  gaps_.resize(pairs.size());
+  const bool known = floors_.size() == pairs.size();
+  const double apart = (1.0 + 1e-9) * range_;
+  parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const PairPositions p = scene_.positions(pairs[k], *at.nodes, *at.bodies);
-      near_[k] = !(distance(pairs[k].kind, p).value - scene_.thickness(pairs[k]) >= range_);
+      gaps_[k] = known && floors_[k] > apart ? floors_[k] : gap(pairs[k], at);
+      is_near_[k] = !(gaps_[k] >= range_);
     }
   });
+  evaluated_nodes_ = *at.nodes;
+  evaluated_bodies_ = *at.bodies;
+  near_.clear();
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (is_near_[k]) near_.push_back(k);
 }
 
 // Whether the pair is within the barrier's range (or interpenetrates), with what it needs then.
@@ -115,43 +140,45 @@ bool BarrierContact::is_near(const ContactPair& pair, const ContactPlaces& at, b
   return true;
 }
 
-double BarrierContact::add_barrier(const ContactPair& pair, const ContactPlaces& at,
-                                   ContactAssembly* out) {
+void BarrierContact::barrier_term(const ContactPair& pair, const ContactPlaces& at,
+                                  const ContactAssembly* out, Term& term) const {
+  term.count = 0;
+  term.energy = term.round_off = 0.0;
   Near near;
-  if (!is_near(pair, at, out != nullptr, near)) return 0.0;
-  if (!out || near.energy == kInfinity) return near.energy;
+  if (!is_near(pair, at, out != nullptr, near)) return;
+  term.energy = near.energy;
+  if (!out || near.energy == kInfinity) return;
+  term.places = near.places;
+  term.count = point_count(pair.kind);
+  term.gradient = near.gradient;
   double farthest = 0.0;
-  for (int i = 0; i < point_count(pair.kind); ++i)
+  for (int i = 0; i < term.count; ++i)
     farthest = std::max(farthest, near.p[i].cwiseAbs().maxCoeff());
   const double m = near.weight.value;
-  force_round_off_ = std::max(force_round_off_, 4.0 * std::numeric_limits<double>::epsilon() *
-                                                    farthest * m * near.curvature);
-  Mat12 hessian;
-  if (out->hessian) {
-    const Vec12 dd = distance_gradient(near.distance);
-    hessian.noalias() = (m * near.curvature) * dd * dd.transpose();
-    hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
-    if (near.edges && m < 1.0) {
-      const Mat12 cross = near.weight.gradient * dd.transpose();
-      const double b = near.stiffness * barrier(near.gap, range_).value;
-      hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
-    }
-    if (out->definite) drop_negative_curvature(hessian);
+  term.round_off = 4.0 * std::numeric_limits<double>::epsilon() * farthest * m * near.curvature;
+  if (!out->hessian) return;
+  Mat12& hessian = term.hessian;
+  const Vec12 dd = distance_gradient(near.distance);
+  hessian.noalias() = (m * near.curvature) * dd * dd.transpose();
+  hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
+  if (near.edges && m < 1.0) {
+    const Mat12 cross = near.weight.gradient * dd.transpose();
+    const double b = near.stiffness * barrier(near.gap, range_).value;
+    hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
   }
-  scatter(near.places, point_count(pair.kind), near.gradient, out->hessian ? &hessian : nullptr, at,
-          *out);
-  return near.energy;
+  if (out->definite) drop_negative_curvature(hessian);
 }
 
 // Adds a pair's derivatives in its points' coordinates to what the points belong to. A body's point
 // r from its mass centre moves by A (translation, rotation vector), A = [I, -[r]x J].
-void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
-                             const Vec12& gradient, const Mat12* hessian, const ContactPlaces& at,
+void BarrierContact::scatter(const Term& term, const ContactPlaces& at,
                              ContactAssembly& out) const {
+  const std::array<PointPlace, 4>& places = term.places;
+  const int count = term.count;
   std::array<Mat36, 4> moves;
   std::array<Index, 4> body{kNone, kNone, kNone, kNone};
   for (int i = 0; i < count; ++i) {
-    const Vec3 g = gradient.segment<3>(Eigen::Index{3} * i);
+    const Vec3 g = term.gradient.segment<3>(Eigen::Index{3} * i);
     if (places[i].owner == kNet) {
       (*out.gradient)[places[i].point] += g;
       continue;
@@ -162,7 +189,7 @@ void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
     const Vec3 r = world(places[i], at) - b.position;
     moves[i] << Mat3::Identity(), -skew(r) * b.turning;
     (*out.body_gradient)[static_cast<std::size_t>(body[i])] += moves[i].transpose() * g;
-    if (hessian && !out.definite) {
+    if (out.hessian && !out.definite) {
       // Of the turning point itself, at rest: sum of g.(t x (t x r)) / 2.
       Mat6 own = Mat6::Zero();
       own.bottomRightCorner<3, 3>() =
@@ -170,13 +197,13 @@ void BarrierContact::scatter(const std::array<PointPlace, 4>& places, int count,
       out.body_body->push_back({body[i], body[i], out.scale * own});
     }
   }
-  if (!hessian) return;
-  scatter_net(places, count, *hessian, out);
+  if (!out.hessian) return;
+  scatter_net(places, count, term.hessian, out);
   // The points of one primitive belong to one body.
   for (int begin = 0; begin < count;) {
     int end = begin + 1;
     while (end < count && places[end].owner == places[begin].owner) ++end;
-    if (body[begin] != kNone) scatter_body(places, body, begin, end, moves, *hessian, out);
+    if (body[begin] != kNone) scatter_body(places, body, begin, end, moves, term.hessian, out);
     begin = end;
   }
 }

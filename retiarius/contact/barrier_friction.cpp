@@ -45,27 +45,27 @@ Vec3 BarrierContact::slip(const Sliding& s, const ContactPlaces& at) const {
   return u - s.normal * s.normal.dot(u);
 }
 
-double BarrierContact::add_friction(const Sliding& s, const ContactPlaces& at,
-                                    ContactAssembly* out) const {
+void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
+                                   const ContactAssembly* out, Term& term) const {
   const double limit = coefficient(s.pair) * s.force;
   const Vec3 u = slip(s, at);
   const double size = u.norm();
   const SlipJet f = smooth_slip(size, spec_.stick_speed * step_->h);
-  if (!out || limit == 0.0) return limit * f.value;
+  term.places = s.places;
+  term.count = out && limit > 0.0 ? s.count : 0;
+  term.energy = limit * f.value;
+  term.round_off = 0.0;
+  if (term.count == 0) return;
   const Vec3 pull = limit * f.over * u;
-  Vec12 gradient = Vec12::Zero();
-  for (int i = 0; i < s.count; ++i) gradient.segment<3>(3L * i) = s.weight[i] * pull;
-  Mat12 hessian;
-  if (out->hessian) {
-    Mat3 h = f.over * (Mat3::Identity() - s.normal * s.normal.transpose());
-    if (size > 0.0) h += (f.second - f.over) / (size * size) * u * u.transpose();
-    hessian.setZero();
-    for (int i = 0; i < s.count; ++i)
-      for (int j = 0; j < s.count; ++j)
-        hessian.block<3, 3>(3L * i, 3L * j) = (limit * s.weight[i] * s.weight[j]) * h;
-  }
-  scatter(s.places, s.count, gradient, out->hessian ? &hessian : nullptr, at, *out);
-  return limit * f.value;
+  term.gradient.setZero();
+  for (int i = 0; i < s.count; ++i) term.gradient.segment<3>(3L * i) = s.weight[i] * pull;
+  if (!out->hessian) return;
+  Mat3 h = f.over * (Mat3::Identity() - s.normal * s.normal.transpose());
+  if (size > 0.0) h += (f.second - f.over) / (size * size) * u * u.transpose();
+  term.hessian.setZero();
+  for (int i = 0; i < s.count; ++i)
+    for (int j = 0; j < s.count; ++j)
+      term.hessian.block<3, 3>(3L * i, 3L * j) = (limit * s.weight[i] * s.weight[j]) * h;
 }
 
 bool BarrierContact::revise(const ContactPlaces& at) {

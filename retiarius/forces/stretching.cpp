@@ -9,6 +9,10 @@ namespace retiarius {
 
 namespace {
 
+// Of relax(): the most sweeps, and the strain up to which segments are left as they are.
+constexpr int kMostSweeps = 60;
+constexpr double kLeftStrain = 1e-3;
+
 // Rate of the strain at the start of the step, from the start's velocities, 1/s.
 double start_rate(const State& s, Index a, Index b, double rest_length) {
   const Vec3 e = s.x[b] - s.x[a];
@@ -145,6 +149,57 @@ double Stretching::potential(const Step&, const std::vector<Vec3>& y) const {
 
 double Stretching::assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const {
   return sum(y, out.definite, element_sums(out));
+}
+
+// Gauss and Seidel's sweeps: every segment that is longer than at rest and at the start is
+// shortened, its lighter node moving farther.
+void Stretching::relax(const Step& step, const Weights& weights, std::vector<Vec3>& y) const {
+  const std::vector<Vec3>& start = step.start->x;
+  const std::vector<bool>& held = *weights.held;
+  const std::vector<double>& mass = *weights.mass;
+  bool moved = true;
+  for (int sweep = 0; moved && sweep < kMostSweeps; ++sweep) {
+    moved = false;
+    for (const Element& e : elements_) {
+      if (e.compression || (held[e.a] && held[e.b])) continue;
+      const Vec3 apart = y[e.b] - y[e.a];
+      const double square = apart.squaredNorm(), rest = (1.0 + kLeftStrain) * e.rest_length;
+      if (square <= rest * rest) continue;
+      const double before = (start[e.b] - start[e.a]).norm();
+      const double longest = std::max(rest, (1.0 + kLeftStrain) * before);
+      if (square <= longest * longest) continue;
+      const double a = held[e.a] ? 0.0 : 1.0 / mass[e.a], b = held[e.b] ? 0.0 : 1.0 / mass[e.b];
+      const Vec3 excess = (1.0 - longest / std::sqrt(square)) / (a + b) * apart;
+      y[e.a] += a * excess;
+      y[e.b] -= b * excess;
+      moved = true;
+    }
+  }
+}
+
+// Of the Hessian the part along the segment alone: the push that it exerts at y would make the part
+// across negative.
+double Stretching::awaken(const Step&, const std::vector<Vec3>& y, const std::vector<Vec3>& next,
+                          const Assembly* out) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
+    if (e.compression) continue;
+    const double then = tension(k, axial_strain(next[e.a], next[e.b], e.rest_length));
+    const double strain = axial_strain(y[e.a], y[e.b], e.rest_length);
+    if (then == 0.0 || tension(k, strain) > 0.0) continue;
+    sum += 0.5 * then * then * e.rest_length / stiffness_[k];
+    if (!out) continue;
+    const Vec3 t = (y[e.b] - y[e.a]).normalized();
+    const Vec3 pull = (stiffness_[k] * strain - offset_[k]) * t;
+    (*out->gradient)[e.b] += pull;
+    (*out->gradient)[e.a] -= pull;
+    const Mat3 block = (stiffness_[k] / e.rest_length) * t * t.transpose();
+    out->hessian->diagonal[e.a] += block;
+    out->hessian->diagonal[e.b] += block;
+    out->hessian->below[slots_[k]] -= block;
+  }
+  return sum;
 }
 
 // By the mean rate of the taut strain over the step, N; the tension is never a push where threads

@@ -32,6 +32,10 @@ class Stretching final : public Law {
   void prepare(const Step& step) override;
   double potential(const Step& step, const std::vector<Vec3>& y) const override;
   double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
+  // Only what cannot be compressed: its resistance comes at once and is stiff.
+  void relax(const Step& step, const Weights& weights, std::vector<Vec3>& y) const override;
+  double awaken(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& next,
+                const Assembly* out) const override;
   void account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                Exchange& exchange) const override;
 

@@ -21,6 +21,7 @@ namespace {
 
 // Convergence at which contacts are first revised: reactions are known to this share.
 constexpr double kLooseTolerance = 1e-3;
+constexpr double kLooseWithBarriers = 1e-2;
 
 // A step that took at most this share of the iterations allowed may be followed by a longer one.
 constexpr double kEasyStep = 0.4;
@@ -239,8 +240,9 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   NewtonSettings settings;
   settings.step_tolerance = integrator_.tolerance * length_scale_;
   if (response_ || barrier_) {
-    settings.loose_step_tolerance = kLooseTolerance * length_scale_;
-    settings.loose_residual_ratio = kLooseTolerance / integrator_.tolerance;
+    const double loose = barrier_ ? kLooseWithBarriers : kLooseTolerance;
+    settings.loose_step_tolerance = loose * length_scale_;
+    settings.loose_residual_ratio = loose / integrator_.tolerance;
   }
   settings.round_off_step = round_off_step();
   settings.max_iterations = integrator_.max_iterations;

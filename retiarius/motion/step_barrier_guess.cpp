@@ -11,10 +11,6 @@ namespace {
 // Rounds in which nodes that are hindered on their way to the first guess are put elsewhere.
 constexpr int kMostRounds = 8;
 
-// Sweeps over the segments in a round, and the strain beyond which they shorten one.
-constexpr int kMostSweeps = 20;
-constexpr double kStrain = 1e-3;
-
 bool is_of_threads(const ContactPair& pair) {
   return pair.first_owner == kNet && pair.second_owner == kNet;
 }
@@ -33,8 +29,6 @@ void StepProblem::free_guess() {
   from.nodes = start.x;
   from.bodies = start.bodies;
   from.turns.assign(start.bodies.size(), Vec3::Zero());
-  held_.assign(y_.size(), false);
-  for (const Constraint& c : constraints_) held_[c.node] = true;
   double share = 1.0;
   for (int round = 0; round < kMostRounds; ++round) {
     find_end(end_);
@@ -43,7 +37,7 @@ void StepProblem::free_guess() {
     std::vector<Vec3>& end = end_.nodes;
     hold_together(end);
     hold_at_bodies(end);
-    shorten_segments(end);
+    relax(end);
     for (std::size_t i = 0; i < y_.size(); ++i)
       if (constraint_of_[i] == kNone) y_[i] = start.x[i] + (end[i] - start.x[i]) / step.reach;
   }
@@ -107,28 +101,6 @@ void StepProblem::hold_at_bodies(std::vector<Vec3>& end) {
       end[n] = to_world(end_.bodies[body], to_body(start.bodies[body], start.x[n]));
       held_[n] = true;
     }
-  }
-}
-
-// Gauss and Seidel's sweeps: every segment that is longer than at rest and at the start is
-// shortened, its lighter node moving farther, held ones not at all.
-void StepProblem::shorten_segments(std::vector<Vec3>& end) const {
-  const std::vector<Vec3>& start = start_.step->start->x;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    bool moved = false;
-    for (const Segment& s : start_.barrier->network().segments) {
-      const Vec3 apart = end[s.b] - end[s.a];
-      const double square = apart.squaredNorm(), rest = (1.0 + kStrain) * s.rest_length;
-      if (square <= rest * rest || (held_[s.a] && held_[s.b])) continue;
-      const double longest = std::max(rest, (1.0 + kStrain) * (start[s.b] - start[s.a]).norm());
-      if (square <= longest * longest) continue;
-      const double a = held_[s.a] ? 0.0 : 1.0 / mass_[s.a], b = held_[s.b] ? 0.0 : 1.0 / mass_[s.b];
-      const Vec3 excess = (1.0 - longest / std::sqrt(square)) / (a + b) * apart;
-      end[s.a] += a * excess;
-      end[s.b] -= b * excess;
-      moved = true;
-    }
-    if (!moved) return;
   }
 }
 

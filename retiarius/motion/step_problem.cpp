@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kNodes = 4096;  // that a thread takes at once
 
+// Of the slope along a direction: the potential of what acts only at its end, beyond which that is
+// foreseen. Between 0.05 and 1 the cost of a capture changes by three per cent.
+constexpr double kForeseen = 0.5;
+
 }  // namespace
 
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
@@ -31,6 +35,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
   constraint_of_.assign(n, kNone);
   gradient_.assign(n, Vec3::Zero());
   dy_.assign(n, Vec3::Zero());
+  foreseen_.reserve(n);
   body_mass_.assign(bodies.size(), Mat6::Zero());
   body_gradient_.assign(bodies.size(), Vec6::Zero());
   borders_.resize(bodies.size());
@@ -97,12 +102,19 @@ void StepProblem::begin(Start start) {
   }
   collect_constraints();
   project_guess();
+  held_.assign(mass_.size(), false);
+  for (const Constraint& c : constraints_) held_[c.node] = true;
+  if (!start_.contact && !start_.linear) relax(y_);
   node_body_.clear();
   body_body_.clear();
   if (start_.barrier) {
     start_.barrier->begin(step);
     free_guess();
   }
+}
+
+void StepProblem::relax(std::vector<Vec3>& y) const {
+  for (const auto& law : *laws_) law->relax(*start_.step, {&mass_, &held_}, y);
 }
 
 // Prescribed nodes and contacts in one list, ordered by node; they never share a node.
@@ -279,9 +291,31 @@ void StepProblem::filter_matrix() {
   }
 }
 
+// Where the direction makes threads taut that are slack now, the matrix knows nothing of what stops
+// them, and the potential rises. These are then taken for taut from the start, as active
+// constraints of the next quadratic model, and the direction is looked for once more.
+bool StepProblem::foresee() {
+  move(1.0);
+  double energy = 0.0;
+  for (const auto& law : *laws_) energy += law->awaken(*start_.step, base_y_, y_, nullptr);
+  if (energy > kForeseen * std::abs(slope())) {
+    foreseen_.assign(y_.size(), Vec3::Zero());
+    const Assembly out{&foreseen_, &matrix_, false};
+    for (const auto& law : *laws_) law->awaken(*start_.step, base_y_, y_, &out);
+  }
+  move(0.0);
+  return !foreseen_.empty();
+}
+
 bool StepProblem::find_direction() {
   if (!factorise()) return false;
   solve_for_direction();
+  // Constraints that follow bodies are eliminated from the matrix in place, once.
+  if (!start_.contact && !start_.linear && !project_contact_ && foresee()) {
+    if (!factorise()) return false;
+    solve_for_direction();
+    foreseen_.clear();
+  }
   return dy_.empty() ||
          std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
@@ -312,6 +346,7 @@ void StepProblem::solve_for_direction() {
       dy_[i] = -gradient_[i];
     }
   });
+  for (std::size_t i = 0; i < foreseen_.size(); ++i) dy_[i] -= foreseen_[i];
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
   // A body that nothing touches any more goes back to its free motion.
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];

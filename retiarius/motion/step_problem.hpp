@@ -128,7 +128,7 @@ class StepProblem final : public NewtonProblem {
   void free_guess();
   void hold_together(std::vector<Vec3>& end);
   void hold_at_bodies(std::vector<Vec3>& end);
-  void shorten_segments(std::vector<Vec3>& end) const;
+  void relax(std::vector<Vec3>& y) const;
   void find_end(End& end) const;
   double add_inertia(bool hessian);
   void collect_constraints();
@@ -140,6 +140,7 @@ class StepProblem final : public NewtonProblem {
   void filter_matrix();
   void keep_rows();
   bool factorise();
+  bool foresee();
   void solve_for_direction();
   void solve_bordered();
   void solve_border_columns();
@@ -171,6 +172,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> constraint_of_;     // of each node, or kNone
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
+  std::vector<Vec3> foreseen_;  // what foresee() adds to the gradient
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()
   mutable std::vector<double> lever_;  // the longest of each body, m

@@ -238,5 +238,98 @@ TEST(Stretching, ASegmentOfNoLengthStaysFinite) {
   EXPECT_TRUE(gradient_of(law, step, y)[0].allFinite());
 }
 
+// What awaken() adds where one segment is slack at y and taut at `next`: the gradient of the same
+// thread with compression, and of its Hessian what lies along the segment.
+TEST(Stretching, AwakensWhatBecomesTaut) {
+  Random random(5);
+  int awakened = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Network net = four_nodes(false, 0.0), both = four_nodes(true, 0.0);
+    const State start = random_state(net, random, 0.05, 1.0);
+    const Step step = make_step(Method::implicit_euler, start, kH);
+    Stretching law(net), bilateral(both);
+    law.prepare(step);
+    bilateral.prepare(step);
+    const std::vector<Vec3> y = random.disturbed(start.x, 0.05);
+    const std::vector<Vec3> next = random.disturbed(y, 0.05);
+    const std::vector<double> now = law.tensions(y), then = law.tensions(next);
+    double energy = 0.0;
+    std::vector<Vec3> expected(y.size(), Vec3::Zero());
+    for (std::size_t k = 0; k < net.segments.size(); ++k) {
+      if (now[k] > 0.0 || then[k] == 0.0) continue;
+      const Segment& s = net.segments[k];
+      energy += 0.5 * then[k] * then[k] * s.rest_length / kEA;
+      const Vec3 t = (y[s.b] - y[s.a]).normalized();
+      expected[s.b] += bilateral.tensions(y)[k] * t;
+      expected[s.a] -= bilateral.tensions(y)[k] * t;
+    }
+    EXPECT_NEAR(law.awaken(step, y, next, nullptr), energy, 1e-12 * (1.0 + energy));
+    BlockPattern pattern(static_cast<Index>(y.size()));
+    law.couple(pattern);
+    pattern.finish();
+    law.bind(pattern);
+    BlockMatrix hessian;
+    hessian.reset(pattern);
+    std::vector<Vec3> gradient(y.size(), Vec3::Zero());
+    const Assembly out{&gradient, &hessian, false};
+    EXPECT_NEAR(law.awaken(step, y, next, &out), energy, 1e-12 * (1.0 + energy));
+    for (std::size_t i = 0; i < y.size(); ++i)
+      EXPECT_NEAR((gradient[i] - expected[i]).norm(), 0.0, 1e-12 * kEA);
+    // Moved by d, the awakened resist with EA / l0 times the change of length, to first order.
+    const std::vector<Vec3> d = random.disturbed(std::vector<Vec3>(y.size(), Vec3::Zero()), 1.0);
+    std::vector<Vec3> product;
+    hessian.multiply(d, product);
+    double work = 0.0, along = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) work += d[i].dot(product[i]);
+    for (std::size_t k = 0; k < net.segments.size(); ++k) {
+      if (now[k] > 0.0 || then[k] == 0.0) continue;
+      const Segment& s = net.segments[k];
+      const double longer = (y[s.b] - y[s.a]).normalized().dot(d[s.b] - d[s.a]);
+      along += kEA / s.rest_length * longer * longer;
+      ++awakened;
+    }
+    EXPECT_NEAR(work, along, 1e-11 * (1.0 + along));
+    EXPECT_EQ(bilateral.awaken(step, y, next, nullptr), 0.0);
+  }
+  EXPECT_GT(awakened, 50);
+}
+
+TEST(Stretching, RelaxesAGuessThatOverstretches) {
+  const Network net = four_nodes(false, 0.0);
+  State start;
+  start.x = net.initial;
+  start.v = net.velocity;
+  const Step step = make_step(Method::implicit_euler, start, kH);
+  const Stretching law(net);
+  const std::vector<bool> held{true, false, false, false};
+  std::vector<Vec3> y = net.initial;
+  y[3] += Vec3(0.5, 0.2, 0.1);
+  y[1] += Vec3(0.1, 0.0, 0.0);
+  law.relax(step, {&net.mass, &held}, y);
+  EXPECT_EQ(y[0], net.initial[0]);
+  for (const Segment& s : net.segments)
+    EXPECT_LT(axial_strain(y[s.a], y[s.b], s.rest_length), 3e-3);
+
+  // Two free masses that are drawn apart come together about their mass centre.
+  Network pair = chain({{0, 0, 0}, {1, 0, 0}}, net.materials.front());
+  pair.mass = {1.0, 3.0};
+  start.x = pair.initial;
+  start.v = pair.velocity;
+  y = {{-0.1, 0, 0}, {1.1, 0.0, 0}};
+  const std::vector<bool> both_free{false, false};
+  Stretching(pair).relax(make_step(Method::implicit_euler, start, kH), {&pair.mass, &both_free}, y);
+  EXPECT_NEAR((y[0] + 3.0 * y[1]).x(), 3.2, 1e-12);
+  EXPECT_NEAR((y[1] - y[0]).x(), 1.001, 1e-12);
+
+  // What is slack, or bears compression, stays as it is.
+  y = {{0, 0, 0}, {0.9, 0, 0}};
+  Stretching(pair).relax(step, {&pair.mass, &both_free}, y);
+  EXPECT_EQ(y[1].x(), 0.9);
+  pair.materials.front().compression = true;
+  y = {{0, 0, 0}, {1.2, 0, 0}};
+  Stretching(pair).relax(step, {&pair.mass, &both_free}, y);
+  EXPECT_EQ(y[1].x(), 1.2);
+}
+
 }  // namespace
 }  // namespace retiarius
