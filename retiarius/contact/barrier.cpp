@@ -110,8 +110,8 @@ void BarrierContact::begin(const Step& step) {
   step_ = &step;
   searched_ = false;
   const State& start = *step.start;
-  const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
-  const ContactPlaces at{&start.x, &start.bodies, &turns};
+  no_turns_.assign(start.bodies.size(), Vec3::Zero());
+  const ContactPlaces at{&start.x, &start.bodies, &no_turns_};
   for (const ContactPair& pair : search(at, at)) {
     const double apart = gap(pair, at);
     if (apart > 0.0) continue;
@@ -120,7 +120,7 @@ void BarrierContact::begin(const Step& step) {
         "m; move them apart, or take contact.method = \"modified-mass\"",
         start.time, name(pair), -apart));
   }
-  sliding_ = slidings(at);
+  slidings(at, sliding_);
   rounds_ = 0;
 }
 

@@ -118,7 +118,7 @@ class BarrierContact {
   static constexpr double kMotionShare = 0.5;
 
   // The contacts at a place, friction by the last round's normal forces.
-  std::vector<PairContact> contacts(const ContactPlaces& at);
+  void contacts(const ContactPlaces& at, std::vector<PairContact>& result);
 
   double search_time() const { return search_time_; }  // for what may touch, since the start, s
   // Whether bodies touch nothing, from the next step on; threads touch each other all the same.
@@ -192,7 +192,7 @@ class BarrierContact {
   void scatter_body(const std::array<PointPlace, 4>& places, const std::array<Index, 4>& body,
                     int begin, int end, const std::array<Mat36, 4>& moves, const Mat12& hessian,
                     ContactAssembly& out) const;
-  std::vector<Sliding> slidings(const ContactPlaces& at);
+  void slidings(const ContactPlaces& at, std::vector<Sliding>& result);
   void add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
                        const ContactPlaces& at) const;
   std::string name(const ContactPair& pair) const;
@@ -225,7 +225,8 @@ class BarrierContact {
   std::vector<std::size_t> near_;              // those that are
   std::vector<Term> terms_;
   std::vector<BodyPlace> body_places_;
-  std::vector<Sliding> sliding_;
+  std::vector<Sliding> sliding_, next_sliding_;
+  std::vector<Vec3> no_turns_;  // of each body
   int rounds_ = 0;
   double search_time_ = 0.0;
   double force_round_off_ = 0.0;

@@ -19,8 +19,8 @@ double BarrierContact::coefficient(const ContactPair& pair) const {
 }
 
 // The contacts at a place with their normal forces.
-std::vector<BarrierContact::Sliding> BarrierContact::slidings(const ContactPlaces& at) {
-  std::vector<Sliding> result;
+void BarrierContact::slidings(const ContactPlaces& at, std::vector<Sliding>& result) {
+  result.clear();
   const State& start = *step_->start;
   Near near;
   for (const ContactPair& pair : broad_->pairs()) {
@@ -35,7 +35,6 @@ std::vector<BarrierContact::Sliding> BarrierContact::slidings(const ContactPlace
     s.start = scene_.positions(pair, start.x, start.bodies);
     result.push_back(s);
   }
-  return result;
 }
 
 // The tangential displacement of the first against the second primitive over the step, m.
@@ -70,7 +69,8 @@ void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
 
 bool BarrierContact::revise(const ContactPlaces& at) {
   if (++rounds_ >= spec_.friction_rounds) return false;
-  std::vector<Sliding> next = slidings(at);
+  std::vector<Sliding>& next = next_sliding_;
+  slidings(at, next);
   // Both are ordered as the pairs are.
   double change = 0.0, sum = 1e-300;
   auto old = sliding_.begin();
@@ -86,13 +86,13 @@ bool BarrierContact::revise(const ContactPlaces& at) {
   }
   for (; old != sliding_.end(); ++old) change += old->force;
   if (change <= spec_.friction_tolerance * sum) return false;
-  sliding_ = std::move(next);
+  sliding_.swap(next);
   return true;
 }
 
-std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
+void BarrierContact::contacts(const ContactPlaces& at, std::vector<PairContact>& result) {
   place_bodies(at);
-  std::vector<PairContact> result;
+  result.clear();
   Near near;
   for (const ContactPair& pair : broad_->pairs()) {
     if (!is_near(pair, at, true, near)) continue;
@@ -112,7 +112,6 @@ std::vector<PairContact> BarrierContact::contacts(const ContactPlaces& at) {
     result.push_back(c);
   }
   for (const Sliding& s : sliding_) add_friction_to(result, s, at);
-  return result;
 }
 
 // To the contact of the same pair, which may have parted since friction was determined.

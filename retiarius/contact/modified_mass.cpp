@@ -109,7 +109,6 @@ bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState
 
 bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies) {
   bool found = false;
-  std::vector<Contact> fresh;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
     const Index body = static_cast<Index>(b);
     for (std::size_t i = 0; i < radius_.size(); ++i) {
@@ -126,13 +125,12 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
       const SurfacePoint there = shape.nearest(end);
       const bool through =
           there.distance >= radius_[i] || there.normal.dot(shape.nearest(hit).normal) < kSameSide;
-      fresh.push_back(
+      contacts_.push_back(
           make_contact(node, body, friction_ > 0.0 || through ? hit : end, !released_[i]));
       contact_of_[i] = 0;
       found = true;
     }
   }
-  contacts_.insert(contacts_.end(), fresh.begin(), fresh.end());
   return found;
 }
 
@@ -213,8 +211,8 @@ bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodySta
 }
 
 void ModifiedMass::rebuild() {
-  std::stable_sort(contacts_.begin(), contacts_.end(),
-                   [](const Contact& a, const Contact& b) { return a.node < b.node; });
+  std::sort(contacts_.begin(), contacts_.end(),
+            [](const Contact& a, const Contact& b) { return a.node < b.node; });
   constraints_.clear();
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -235,8 +233,8 @@ void ModifiedMass::rebuild() {
   }
 }
 
-std::vector<SolvedContact> ModifiedMass::contacts() const {
-  std::vector<SolvedContact> result;
+void ModifiedMass::contacts(std::vector<SolvedContact>& result) const {
+  result.clear();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const Contact& c = contacts_[k];
     const BodyState& free = predicted_[c.body];
@@ -244,7 +242,6 @@ std::vector<SolvedContact> ModifiedMass::contacts() const {
     const bool sticks = c.sticks || (friction_ > 0.0 && at_rest(c));
     result.push_back({c.node, c.body, sticks, c.normal, point, constraints_[k].blocked});
   }
-  return result;
 }
 
 }  // namespace retiarius

@@ -26,7 +26,7 @@ class ModifiedMass final : public ContactResponse {
   bool revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
               const std::vector<Vec3>& reaction, bool full) override;
   const std::vector<Constraint>& constraints() const override { return constraints_; }
-  std::vector<SolvedContact> contacts() const override;
+  void contacts(std::vector<SolvedContact>& result) const override;
 
  private:
   struct Contact {

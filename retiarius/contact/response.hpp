@@ -39,7 +39,7 @@ class ContactResponse {
 
   // The constraints of the present contacts, ordered by node.
   virtual const std::vector<Constraint>& constraints() const = 0;
-  virtual std::vector<SolvedContact> contacts() const = 0;
+  virtual void contacts(std::vector<SolvedContact>& result) const = 0;
 };
 
 }  // namespace retiarius

@@ -59,12 +59,12 @@ void apply_barrier_impulses(const Step& step, const std::vector<Body>& bodies, d
   gather_touches(now.touches);
 }
 
-std::vector<Vec3> node_forces(const std::vector<PairContact>& contacts, std::size_t nodes) {
-  std::vector<Vec3> force(nodes, Vec3::Zero());
+void node_forces(const std::vector<PairContact>& contacts, std::size_t nodes,
+                 std::vector<Vec3>& force) {
+  force.assign(nodes, Vec3::Zero());
   for (const PairContact& c : contacts)
     for (int i = 0; i < point_count(c.pair.kind); ++i)
       if (c.places[i].owner == kNet) force[c.places[i].point] += c.point_force[i];
-  return force;
 }
 
 }  // namespace retiarius

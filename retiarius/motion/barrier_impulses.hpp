@@ -16,6 +16,7 @@ void apply_barrier_impulses(const Step& step, const std::vector<Body>& bodies, d
                             const std::vector<PairContact>& contacts, State& now);
 
 // Of the contacts on each node at the stage, N.
-std::vector<Vec3> node_forces(const std::vector<PairContact>& contacts, std::size_t nodes);
+void node_forces(const std::vector<PairContact>& contacts, std::size_t nodes,
+                 std::vector<Vec3>& force);
 
 }  // namespace retiarius

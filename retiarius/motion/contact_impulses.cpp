@@ -61,12 +61,13 @@ void apply_contact_impulses(const Step& step, const std::vector<Body>& bodies,
                             const std::vector<Vec3>& force, State& now) {
   const State& old = *step.start;
   const double weight = step.reaction_impulse();
-  std::vector<Vec3> impulse(contacts.size());
+  // The touches hold impulses until all are known.
+  now.touches.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const SolvedContact& c = contacts[k];
     BodyState& s = now.bodies[c.body];
-    impulse[k] = weight * force[k];
-    push(bodies[c.body], s, c.point - s.position, -impulse[k]);
+    now.touches.push_back({c.node, c.body, c.sticks, weight * force[k]});
+    push(bodies[c.body], s, c.point - s.position, -now.touches[k].reaction);
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Index index = static_cast<Index>(b);
@@ -84,26 +85,26 @@ void apply_contact_impulses(const Step& step, const std::vector<Body>& bodies,
       const Vec3 relative = lever_map(lever) * twist - now.v[c.node];
       Vec3 plastic = mass[c.node] * (c.blocked * relative);
       plastic += friction_impulse(c, plastic.dot(c.normal), -relative, mass[c.node], friction);
-      impulse[k] += plastic;
+      now.touches[k].reaction += plastic;
       now.v[c.node] += plastic / mass[c.node];
       push(bodies[b], now.bodies[b], lever, -plastic);
     }
   }
-  now.touches.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const SolvedContact& c = contacts[k];
+    const Vec3 impulse = now.touches[k].reaction;
     const Body& body = bodies[c.body];
     const Vec3 before = old.v[c.node] - point_velocity(body, old.bodies[c.body], old.x[c.node]);
     const Vec3 after = now.v[c.node] - point_velocity(body, now.bodies[c.body], c.point);
     const Vec3 mean = 0.5 * (before + after);
-    const Vec3 normal = c.normal * c.normal.dot(impulse[k]);
+    const Vec3 normal = c.normal * c.normal.dot(impulse);
     now.account.impact_loss -= normal.dot(mean);
-    now.account.friction_loss -= (impulse[k] - normal).dot(mean);
+    now.account.friction_loss -= (impulse - normal).dot(mean);
     if (body.fixed) {
-      now.account.outside_impulse += impulse[k];
-      now.account.outside_angular_impulse += now.x[c.node].cross(impulse[k]);
+      now.account.outside_impulse += impulse;
+      now.account.outside_angular_impulse += now.x[c.node].cross(impulse);
     }
-    now.touches.push_back({c.node, c.body, c.sticks, impulse[k] / step.h});
+    now.touches[k].reaction = impulse / step.h;
   }
 }
 

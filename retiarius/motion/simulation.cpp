@@ -333,7 +333,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
   }
-  contacts_ = problem_->barrier_contacts();
+  problem_->barrier_contacts(contacts_);
   std::vector<Vec3>& friction = friction_;
   friction.clear();
   for (const Constraint& c : problem_->constraints())
@@ -367,15 +367,16 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   move_prescribed(done, prescribed, old);
   now.touches.clear();
   if (response_ && !bodies_held_) {
-    const std::vector<SolvedContact> contacts = response_->contacts();
-    apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, contacts, force, now);
+    response_->contacts(solved_contacts_);
+    apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, solved_contacts_,
+                           force, now);
   }
   if (contact_.self) now.memory.couplings = problem_->couplings();
   if (barrier_) {
     apply_barrier_impulses(done, *bodies_, contact_.stick_speed, contacts_, now);
-    const std::vector<Vec3> pushes = node_forces(contacts_, y.size());
+    node_forces(contacts_, y.size(), pushes_);
     for (std::size_t i = 0; i < y.size(); ++i)
-      law_change_[i] -= weight / network_->mass[i] * pushes[i];
+      law_change_[i] -= weight / network_->mass[i] * pushes_[i];
   }
   Exchange exchange;
   for (const auto& law : laws_) law->account(done, y, now.x, exchange);

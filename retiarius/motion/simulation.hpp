@@ -168,7 +168,8 @@ class Simulation {
   std::vector<Vec3> law_change_;
   // Memory of a step, kept for the next.
   State old_, next_;
-  std::vector<Vec3> predicted_room_, contact_force_, friction_, residual_, end_positions_;
+  std::vector<SolvedContact> solved_contacts_;
+  std::vector<Vec3> predicted_room_, contact_force_, friction_, residual_, pushes_, end_positions_;
   std::vector<BodyState> free_bodies_;
   ExplicitStepper::Job job_;
   Exchange exchange_, carried_;

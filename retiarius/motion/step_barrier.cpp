@@ -102,11 +102,12 @@ double StepProblem::free_fraction(double wanted) {
   return wanted * start_.barrier->look_ahead(end_.places(), other_end_.places());
 }
 
-std::vector<PairContact> StepProblem::barrier_contacts() {
-  if (!start_.barrier) return {};
+void StepProblem::barrier_contacts(std::vector<PairContact>& result) {
+  result.clear();
+  if (!start_.barrier) return;
   const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
-  return start_.barrier->contacts(end_.places());
+  start_.barrier->contacts(end_.places(), result);
 }
 
 std::string StepProblem::blocked_motion() {
@@ -114,9 +115,9 @@ std::string StepProblem::blocked_motion() {
   const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
   const State& start = *start_.step->start;
-  const std::vector<Vec3> turns(start.bodies.size(), Vec3::Zero());
+  other_end_.turns.assign(start.bodies.size(), Vec3::Zero());
   std::string pair;
-  start_.barrier->motion_is_free({&start.x, &start.bodies, &turns}, end_.places(), pair);
+  start_.barrier->motion_is_free({&start.x, &start.bodies, &other_end_.turns}, end_.places(), pair);
   return pair;
 }
 

@@ -25,7 +25,7 @@ void StepProblem::free_guess() {
   const Stopwatch all(times_.assembly), watch(times_.contact);
   const Step& step = *start_.step;
   const State& start = *step.start;
-  End from;
+  End& from = other_end_;
   from.nodes = start.x;
   from.bodies = start.bodies;
   from.turns.assign(start.bodies.size(), Vec3::Zero());
@@ -62,8 +62,10 @@ void StepProblem::free_guess() {
 // Threads that would meet get the mean of their nodes' motions, or that of what is held of them.
 void StepProblem::hold_together(std::vector<Vec3>& end) {
   const std::vector<Vec3>& start = start_.step->start->x;
-  std::vector<Vec3> sum(end.size(), Vec3::Zero());
-  std::vector<int> count(end.size(), 0);
+  std::vector<Vec3>& sum = way_sum_;
+  std::vector<int>& count = way_count_;
+  sum.assign(end.size(), Vec3::Zero());
+  count.assign(end.size(), 0);
   for (const ContactPair& pair : start_.barrier->blocked()) {
     if (!is_of_threads(pair)) continue;
     const std::array<PointPlace, 4> places = start_.barrier->scene().places(pair);

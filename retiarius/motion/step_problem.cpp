@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kNodes = 4096;  // that a thread takes at once
 
 // Of the slope along a direction: the potential of what acts only at its end, beyond which that is
-// foreseen. Between 0.05 and 1 the cost of a capture changes by three per cent.
+// foreseen. Between 0.05 and 1 the cost of a capture changes by five per cent.
 constexpr double kForeseen = 0.5;
 
 }  // namespace

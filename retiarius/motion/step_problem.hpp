@@ -81,8 +81,8 @@ class StepProblem final : public NewtonProblem {
   const std::vector<Constraint>& constraints() const { return constraints_; }
   // Friction on a sliding node at the present iterate, N.
   Vec3 friction_force(const Constraint& c) const;
-  // Of the barrier, at the present iterate; empty without one.
-  std::vector<PairContact> barrier_contacts();
+  // Of the barrier, at the present iterate; none without one.
+  void barrier_contacts(std::vector<PairContact>& result);
   // Empty if the straight motion from the step's start to the present iterate keeps apart what
   // touches; otherwise the name of a pair that it does not.
   std::string blocked_motion();
@@ -179,6 +179,8 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec3> end_positions_;    // for contact
   std::vector<BodyState> end_bodies_;
   std::vector<bool> held_;
+  std::vector<Vec3> way_sum_;  // see hold_together()
+  std::vector<int> way_count_;
   double largest_force_ = 0.0;
   End end_, other_end_;
   std::vector<ContactAssembly::NodeBody> node_body_;  // second derivatives, of the barrier

@@ -134,7 +134,9 @@ class Scene {
   }
   std::vector<PairContact> contacts() {
     const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
-    return contact_->contacts({&state_.x, &state_.bodies, &turns});
+    std::vector<PairContact> result;
+    contact_->contacts({&state_.x, &state_.bodies, &turns}, result);
+    return result;
   }
   bool is_fixed(Eigen::Index unknown) const {
     const auto first = static_cast<Eigen::Index>(3 * net_.mass.size());

@@ -55,5 +55,21 @@ TEST(StepAllocation, ExplicitStepsDoNone) {
   }
 }
 
+// A free ball is caught; the step that is counted has contacts, but not the most so far.
+TEST(StepAllocation, ContactStepsDoNone) {
+  const Network net = flying_net(Pattern::square, 2, false, 1e-5, 0.0);
+  const std::vector<Body> ball{sphere(0.35, 5.0, {0.05, 0.02, 0.4}, BodyMotion::free)};
+  for (const ContactMethod method : {ContactMethod::modified_mass, ContactMethod::barrier}) {
+    Simulation sim(net, ball, initial_state(net, ball));
+    IntegratorSpec integrator = with(Method::implicit_euler);
+    integrator.step = 0.002;
+    ContactSpec contact{method, 0.3};
+    contact.gap = 1e-3;
+    sim.configure({}, integrator, contact);
+    EXPECT_EQ(allocations_of_a_step(sim, 80), 0) << static_cast<int>(method);
+    EXPECT_GT(sim.state().touches.size(), 10u) << static_cast<int>(method);
+  }
+}
+
 }  // namespace
 }  // namespace retiarius
