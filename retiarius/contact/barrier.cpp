@@ -17,9 +17,6 @@ namespace {
 // Of the stiffness, see the class: the strain that is carried within the range.
 constexpr double kCarriedStrain = 1e-3;
 
-// Pairs in one piece of parallel work.
-constexpr std::size_t kGrain = 64;
-
 // How far anything may move before pairs are looked for anew, over the barrier's range.
 constexpr double kSlack = 4.0;
 

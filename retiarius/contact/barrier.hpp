@@ -129,6 +129,9 @@ class BarrierContact {
   const Network& network() const { return *network_; }
 
  private:
+  // Candidates, and pairs in contact, in one piece of parallel work.
+  static constexpr std::size_t kGrain = 64, kTermGrain = 16;
+
   // A contact whose friction acts in this round.
   struct Sliding {
     ContactPair pair;

@@ -12,9 +12,6 @@ namespace retiarius {
 
 namespace {
 
-// Candidates, and pairs in contact, in one piece of parallel work.
-constexpr std::size_t kGrain = 64, kTermGrain = 16;
-
 // d(turn of the world) / d(rotation vector): the left Jacobian of the rotation group,
 // I + (1 - cos t)/t^2 [v]x + (t - sin t)/t^3 [v]x^2.
 Mat3 left_jacobian(const Vec3& v) {

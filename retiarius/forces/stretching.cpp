@@ -75,6 +75,7 @@ Stretching::Stretching(const Network& network) {
     rest_.push_back(s.rest_length);
     stiffness_.push_back(m.axial_stiffness);
     bilateral_.push_back(m.compression ? 1.0 : 0.0);
+    one_sided_ |= !m.compression;
     nodes.insert(nodes.end(), {s.a, s.b});
   }
   const std::size_t padded = elements_.size() + kernels::kElementPadding;
@@ -161,7 +162,7 @@ void Stretching::relax(const Step& step, const Weights& weights, std::vector<Vec
   for (int sweep = 0; moved && sweep < kMostSweeps; ++sweep) {
     moved = false;
     for (const Element& e : elements_) {
-      if (e.compression || (held[e.a] && held[e.b])) continue;
+      if (held[e.a] && held[e.b]) continue;
       const Vec3 apart = y[e.b] - y[e.a];
       const double square = apart.squaredNorm(), rest = (1.0 + kLeftStrain) * e.rest_length;
       if (square <= rest * rest) continue;

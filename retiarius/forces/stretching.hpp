@@ -32,7 +32,7 @@ class Stretching final : public Law {
   void prepare(const Step& step) override;
   double potential(const Step& step, const std::vector<Vec3>& y) const override;
   double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
-  // Only what cannot be compressed: its resistance comes at once and is stiff.
+  bool one_sided() const override { return one_sided_; }
   void relax(const Step& step, const Weights& weights, std::vector<Vec3>& y) const override;
   double awaken(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& next,
                 const Assembly* out) const override;
@@ -66,6 +66,7 @@ class Stretching final : public Law {
   std::vector<Index> a_, b_, slots_;
   std::vector<double> rest_, stiffness_, offset_, bilateral_;
   ElementChunks chunks_;
+  bool one_sided_ = false;
   bool trapezoid_ = false;
 };
 

@@ -252,7 +252,7 @@ bool Simulation::solve_stage(const Step& step, std::vector<Vec3> predicted,
   const NewtonResult result =
       report.single ? update_once(*problem_) : minimise(*problem_, settings);
   report.iterations += result.iterations;
-  report.factorisations += result.factorisations;
+  report.factorisations += result.factorisations + problem_->foreseen_directions();
   report.projections += result.projections;
   if (!result.converged) {
     failure = result.failure;

@@ -36,6 +36,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
   gradient_.assign(n, Vec3::Zero());
   dy_.assign(n, Vec3::Zero());
   foreseen_.reserve(n);
+  for (const auto& law : laws) one_sided_ |= law->one_sided();
   body_mass_.assign(bodies.size(), Mat6::Zero());
   body_gradient_.assign(bodies.size(), Vec6::Zero());
   borders_.resize(bodies.size());
@@ -104,7 +105,8 @@ void StepProblem::begin(Start start) {
   project_guess();
   held_.assign(mass_.size(), false);
   for (const Constraint& c : constraints_) held_[c.node] = true;
-  if (!start_.contact && !start_.linear) relax(y_);
+  if (one_sided_ && !start_.contact && !start_.linear) relax(y_);
+  foreseen_directions_ = 0;
   node_body_.clear();
   body_body_.clear();
   if (start_.barrier) {
@@ -295,6 +297,9 @@ void StepProblem::filter_matrix() {
 // them, and the potential rises. These are then taken for taut from the start, as active
 // constraints of the next quadratic model, and the direction is looked for once more.
 bool StepProblem::foresee() {
+  // Constraints that follow bodies are eliminated from the matrix in place, once.
+  if (!one_sided_ || start_.contact || start_.linear || project_contact_) return false;
+  const Stopwatch watch(times_.assembly);
   move(1.0);
   double energy = 0.0;
   for (const auto& law : *laws_) energy += law->awaken(*start_.step, base_y_, y_, nullptr);
@@ -310,11 +315,12 @@ bool StepProblem::foresee() {
 bool StepProblem::find_direction() {
   if (!factorise()) return false;
   solve_for_direction();
-  // Constraints that follow bodies are eliminated from the matrix in place, once.
-  if (!start_.contact && !start_.linear && !project_contact_ && foresee()) {
-    if (!factorise()) return false;
-    solve_for_direction();
-    foreseen_.clear();
+  if (foresee()) {
+    ++foreseen_directions_;
+    const bool definite = factorise();
+    if (definite) solve_for_direction();
+    foreseen_.clear();  // whether it served or not: it belongs to this direction alone
+    if (!definite) return false;
   }
   return dy_.empty() ||
          std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });

@@ -90,6 +90,8 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> couplings() const;
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
+  // Directions that were solved for once more in this step because of what becomes taut.
+  int foreseen_directions() const { return foreseen_directions_; }
   const LinearSolver& solver() const { return *active_; }
   const BlockPattern& pattern() const { return pattern_; }
   const LinearSolver& direct_solver() const { return *solver_; }
@@ -172,7 +174,9 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> constraint_of_;     // of each node, or kNone
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
+  bool one_sided_ = false;      // whether any law is
   std::vector<Vec3> foreseen_;  // what foresee() adds to the gradient
+  int foreseen_directions_ = 0;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()
   mutable std::vector<double> lever_;  // the longest of each body, m

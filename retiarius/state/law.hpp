@@ -54,12 +54,15 @@ class Law {
   // Adds gradient and, where wanted, Hessian of the incremental potential; returns the potential.
   virtual double assemble(const Step&, const std::vector<Vec3>& y, Assembly& out) const = 0;
 
+  // Whether elements act on one side of a place only, as threads that bear no compression.
+  virtual bool one_sided() const { return false; }
+
   // Moves nodes of a first guess `y` that strain the law's elements far beyond the step's start.
   virtual void relax(const Step&, const Weights&, std::vector<Vec3>& /*y*/) const {}
 
-  // Of a law whose elements act on one side of a place only, as threads that bear no compression:
-  // the potential at `next` of those elements that act there but not at y, J. Where `out` is given,
-  // adds what these would add to gradient and Hessian at y if they acted there already.
+  // Of a one-sided law: the potential at `next` of those elements that act there but not at y, J.
+  // Where `out` is given, adds what these would add to gradient and Hessian at y if they acted
+  // there already.
   virtual double awaken(const Step&, const std::vector<Vec3>& /*y*/,
                         const std::vector<Vec3>& /*next*/, const Assembly* /*out*/) const {
     return 0.0;

@@ -321,14 +321,18 @@ TEST(Stretching, RelaxesAGuessThatOverstretches) {
   EXPECT_NEAR((y[0] + 3.0 * y[1]).x(), 3.2, 1e-12);
   EXPECT_NEAR((y[1] - y[0]).x(), 1.001, 1e-12);
 
-  // What is slack, or bears compression, stays as it is.
+  // What is slack stays as it is, whether it bears compression or not; what is too long does not.
   y = {{0, 0, 0}, {0.9, 0, 0}};
   Stretching(pair).relax(step, {&pair.mass, &both_free}, y);
   EXPECT_EQ(y[1].x(), 0.9);
+  EXPECT_TRUE(Stretching(pair).one_sided());
   pair.materials.front().compression = true;
+  EXPECT_FALSE(Stretching(pair).one_sided());
+  Stretching(pair).relax(step, {&pair.mass, &both_free}, y);
+  EXPECT_EQ(y[1].x(), 0.9);
   y = {{0, 0, 0}, {1.2, 0, 0}};
   Stretching(pair).relax(step, {&pair.mass, &both_free}, y);
-  EXPECT_EQ(y[1].x(), 1.2);
+  EXPECT_NEAR((y[1] - y[0]).x(), 1.001, 1e-12);
 }
 
 }  // namespace
