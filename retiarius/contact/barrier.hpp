@@ -109,6 +109,10 @@ class BarrierContact {
   // is below `reach` times the range, or that friction joins in this round.
   std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
 
+  // Notes how far sliding contacts have slipped where a direction starts: at its end the Hessian
+  // tells by them those that slip on from those that turned back.
+  void note_slips(const ContactPlaces& at);
+
   // Whether friction must be solved again with the normal forces of this place.
   bool revise(const ContactPlaces& at);
 
@@ -139,8 +143,9 @@ class BarrierContact {
     int count = 0;
     std::array<double, 4> weight{};
     Vec3 normal;
-    double force = 0.0;         // normal, N
-    std::array<Vec3, 4> start;  // of the points at the step's start, m
+    double force = 0.0;          // normal, N
+    std::array<Vec3, 4> start;   // of the points at the step's start, m
+    Vec3 before = Vec3::Zero();  // the slip that note_slips() found, m
   };
   // Of a body at the place that is evaluated.
   struct BodyPlace {

@@ -44,6 +44,11 @@ Vec3 BarrierContact::slip(const Sliding& s, const ContactPlaces& at) const {
   return u - s.normal * s.normal.dot(u);
 }
 
+void BarrierContact::note_slips(const ContactPlaces& at) {
+  place_bodies(at);
+  for (Sliding& s : sliding_) s.before = slip(s, at);
+}
+
 void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
                                    const ContactAssembly* out, Term& term) const {
   const double limit = coefficient(s.pair) * s.force;
@@ -60,7 +65,8 @@ void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
   for (int i = 0; i < s.count; ++i) term.gradient.segment<3>(3L * i) = s.weight[i] * pull;
   if (!out->hessian) return;
   Mat3 h = f.over * (Mat3::Identity() - s.normal * s.normal.transpose());
-  if (size > 0.0) h += (f.second - f.over) / (size * size) * u * u.transpose();
+  if (size > 0.0)
+    h += share_of_newton(s.before, u) * (f.second - f.over) / (size * size) * u * u.transpose();
   term.hessian.setZero();
   for (int i = 0; i < s.count; ++i)
     for (int j = 0; j < s.count; ++j)

@@ -1,5 +1,6 @@
 #include "retiarius/contact/barrier_function.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "retiarius/base/vec.hpp"
@@ -21,6 +22,11 @@ SlipJet smooth_slip(double slip, double smallest) {
   const double u = slip / smallest;
   return {smallest * (u * u - u * u * u / 3.0), u * (2.0 - u), 2.0 * (1.0 - u) / smallest,
           (2.0 - u) / smallest};
+}
+
+double share_of_newton(const Vec3& before, const Vec3& slip) {
+  const double sizes = before.norm() * slip.norm();
+  return sizes > 0.0 ? std::max(0.0, before.dot(slip) / sizes) : 1.0;
 }
 
 }  // namespace retiarius

@@ -1,6 +1,8 @@
 // The scalar functions of barrier contact: the barrier over the gap, friction over the slip.
 #pragma once
 
+#include "retiarius/base/vec.hpp"
+
 namespace retiarius {
 
 // A function's value with its first and second derivative.
@@ -21,5 +23,16 @@ struct SlipJet {
   double value = 0.0, first = 0.0, second = 0.0, over = 0.0;
 };
 SlipJet smooth_slip(double slip, double smallest);
+
+// How much of the curvature by which friction's potential lacks that of a quadratic Newton's matrix
+// is to count, from 0 to 1: all where the slip goes on as `before`, where the last direction began.
+//
+// Beyond the smallest slip friction no longer grows, so that Newton's step for a point that comes
+// to rest leads past the place of rest by as much as the point is away from it, and back, for ever.
+// Where the slip has turned back it therefore counts as if friction grew with it (the quadratic of
+// the same force that lies above the potential), and in between by the cosine of the turn: so do
+// primal-dual iterations for the norm, with the direction of the force as the dual (Chan, Golub and
+// Mulet 1999).
+double share_of_newton(const Vec3& before, const Vec3& slip);
 
 }  // namespace retiarius

@@ -23,6 +23,7 @@ struct SegmentArrays {
   const double* rest;       // l0, m
   const double* stiffness;  // c, N
   const double* offset;     // d, N
+  const double* foretold;   // tension for the Hessian's part across, N; negative: as it is
   const double* bilateral;  // 1: carries compression; 0: tension only
 };
 

@@ -13,6 +13,9 @@ namespace {
 constexpr int kMostSweeps = 60;
 constexpr double kLeftStrain = 1e-3;
 
+// Threads that are foretold to be taut are not held where they are slacker than this strain.
+constexpr double kHeldSlack = 1e-3;
+
 // Rate of the strain at the start of the step, from the start's velocities, 1/s.
 double start_rate(const State& s, Index a, Index b, double rest_length) {
   const Vec3 e = s.x[b] - s.x[a];
@@ -85,6 +88,8 @@ Stretching::Stretching(const Network& network) {
   stiffness_.resize(padded, 1.0);
   bilateral_.resize(padded, 0.0);
   offset_.assign(padded, 0.0);
+  foretold_.assign(padded, -1.0);
+  awake_.assign(elements_.size(), 0);
   chunks_ = ElementChunks(nodes, 2);
 }
 
@@ -103,6 +108,8 @@ void Stretching::prepare(const Step& step) {
   trapezoid_ = step.strain_rate == Step::StrainRate::trapezoid;
   const bool rated = step.strain_rate != Step::StrainRate::none;
   const bool linear = rated && step.strain_rate != Step::StrainRate::start;
+  std::fill(foretold_.begin(), foretold_.end(), -1.0);
+  std::fill(awake_.begin(), awake_.end(), 0);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     Element& e = elements_[k];
     stiffness_[k] = e.axial_stiffness;
@@ -137,7 +144,7 @@ double Stretching::sum(const std::vector<Vec3>& y, bool definite,
                        const kernels::ElementSums& out) const {
   const kernels::SegmentArrays arrays{a_.data(),        b_.data(),         slots_.data(),
                                       rest_.data(),     stiffness_.data(), offset_.data(),
-                                      bilateral_.data()};
+                                      foretold_.data(), bilateral_.data()};
   const kernels::ElementTable& table = kernels::elements();
   return chunks_.sum([&](long begin, long end) {
     return table.stretching(arrays, begin, end, y.front().data(), definite, out);
@@ -178,27 +185,71 @@ void Stretching::relax(const Step& step, const Weights& weights, std::vector<Vec
   }
 }
 
-// Of the Hessian the part along the segment alone: the push that it exerts at y would make the part
-// across negative.
-double Stretching::awaken(const Step&, const std::vector<Vec3>& y, const std::vector<Vec3>& next,
-                          const Assembly* out) const {
-  double sum = 0.0;
+// What is found here is of second order in the next way. Where a thread turns by a small angle its
+// own tension is EA times the square of that angle, far more than what it carries at last, and a
+// Hessian with that tension across the thread would hold back its next turn.
+void Stretching::foretell(const std::vector<Vec3>& y, const std::vector<Vec3>& next) {
+  if (!one_sided_) return;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const Element& e = elements_[k];
     if (e.compression) continue;
+    const Vec3 apart = y[e.b] - y[e.a];
+    const double length = apart.norm();
+    const double strain = length / e.rest_length - 1.0;
+    const double now = stiffness_[k] * strain - offset_[k];
+    const bool counts = awake_[k] || std::min(strain, now) >= 0.0;
+    awake_[k] = 0;
+    foretold_[k] = 0.0;
+    if (!counts || length == 0.0) continue;
+    const double longer = apart.dot(next[e.b] - next[e.a] - apart) / length;
+    foretold_[k] = std::max(0.0, now + stiffness_[k] / e.rest_length * longer);
+  }
+}
+
+// Of the Hessian only what is along the segment and the tension given: the push that the segment
+// would exert at y makes its own part across negative.
+void Stretching::take_for_taut(std::size_t element, const std::vector<Vec3>& y, double strain,
+                               double across, const Assembly& out) {
+  const Element& e = elements_[element];
+  const Vec3 apart = y[e.b] - y[e.a];
+  const double length = apart.norm();
+  const Vec3 t = apart / length;
+  const Vec3 pull = (stiffness_[element] * strain - offset_[element]) * t;
+  (*out.gradient)[e.b] += pull;
+  (*out.gradient)[e.a] -= pull;
+  const double turn = across / length, along = stiffness_[element] / e.rest_length - turn;
+  const Mat3 block = along * t * t.transpose() + turn * Mat3::Identity();
+  out.hessian->diagonal[e.a] += block;
+  out.hessian->diagonal[e.b] += block;
+  out.hessian->below[slots_[element]] -= block;
+  awake_[element] = 1;
+}
+
+bool Stretching::hold(const std::vector<Vec3>& y, const Assembly& out) {
+  bool any = false;
+  std::fill(awake_.begin(), awake_.end(), 0);
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
+    if (!(foretold_[k] > 0.0)) continue;
+    const double strain = axial_strain(y[e.a], y[e.b], e.rest_length);
+    if (strain < -kHeldSlack || tension(k, strain) > 0.0) continue;
+    take_for_taut(k, y, strain, foretold_[k], out);
+    any = true;
+  }
+  return any;
+}
+
+double Stretching::awaken(const std::vector<Vec3>& y, const std::vector<Vec3>& next,
+                          const Assembly* out) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
+    if (e.compression || awake_[k]) continue;
     const double then = tension(k, axial_strain(next[e.a], next[e.b], e.rest_length));
     const double strain = axial_strain(y[e.a], y[e.b], e.rest_length);
-    if (then == 0.0 || tension(k, strain) > 0.0) continue;
+    if (then == 0.0 || strain == -1.0 || tension(k, strain) > 0.0) continue;
     sum += 0.5 * then * then * e.rest_length / stiffness_[k];
-    if (!out) continue;
-    const Vec3 t = (y[e.b] - y[e.a]).normalized();
-    const Vec3 pull = (stiffness_[k] * strain - offset_[k]) * t;
-    (*out->gradient)[e.b] += pull;
-    (*out->gradient)[e.a] -= pull;
-    const Mat3 block = (stiffness_[k] / e.rest_length) * t * t.transpose();
-    out->hessian->diagonal[e.a] += block;
-    out->hessian->diagonal[e.b] += block;
-    out->hessian->below[slots_[k]] -= block;
+    if (out) take_for_taut(k, y, strain, 0.0, *out);
   }
   return sum;
 }

@@ -34,8 +34,10 @@ class Stretching final : public Law {
   double assemble(const Step& step, const std::vector<Vec3>& y, Assembly& out) const override;
   bool one_sided() const override { return one_sided_; }
   void relax(const Step& step, const Weights& weights, std::vector<Vec3>& y) const override;
-  double awaken(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& next,
-                const Assembly* out) const override;
+  void foretell(const std::vector<Vec3>& y, const std::vector<Vec3>& next) override;
+  bool hold(const std::vector<Vec3>& y, const Assembly& out) override;
+  double awaken(const std::vector<Vec3>& y, const std::vector<Vec3>& next,
+                const Assembly* out) override;
   void account(const Step& step, const std::vector<Vec3>& y, const std::vector<Vec3>& x1,
                Exchange& exchange) const override;
 
@@ -59,12 +61,15 @@ class Stretching final : public Law {
   };
   double tension(std::size_t element, double strain) const;
   static double mean_viscous(const Element& e, double end, double h);
+  void take_for_taut(std::size_t element, const std::vector<Vec3>& y, double strain, double across,
+                     const Assembly& out);
   double sum(const std::vector<Vec3>& y, bool definite, const kernels::ElementSums& out) const;
 
   std::vector<Element> elements_;
   // The same, as the kernels read them, with padding.
   std::vector<Index> a_, b_, slots_;
-  std::vector<double> rest_, stiffness_, offset_, bilateral_;
+  std::vector<double> rest_, stiffness_, offset_, foretold_, bilateral_;
+  std::vector<char> awake_;  // taken for taut at the place of the last direction
   ElementChunks chunks_;
   bool one_sided_ = false;
   bool trapezoid_ = false;

@@ -21,7 +21,7 @@ namespace {
 
 // Convergence at which contacts are first revised: reactions are known to this share.
 constexpr double kLooseTolerance = 1e-3;
-constexpr double kLooseWithBarriers = 1e-2;
+constexpr double kLooseWithBarriers = 5e-2;
 
 // A step that took at most this share of the iterations allowed may be followed by a longer one.
 constexpr double kEasyStep = 0.4;

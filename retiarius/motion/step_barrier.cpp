@@ -91,6 +91,12 @@ void StepProblem::follow_couplings() {
   couple(std::move(couplings));
 }
 
+void StepProblem::note_slips() {
+  const Stopwatch all(times_.assembly), watch(times_.contact);
+  find_end(end_);
+  start_.barrier->note_slips(end_.places());
+}
+
 double StepProblem::free_fraction(double wanted) {
   if (!start_.barrier) return wanted;
   const Stopwatch all(times_.assembly), watch(times_.contact);

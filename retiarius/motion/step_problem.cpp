@@ -2,21 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/base/stopwatch.hpp"
+#include "retiarius/contact/barrier_function.hpp"
 
 namespace retiarius {
-
-namespace {
-
-constexpr std::size_t kNodes = 4096;  // that a thread takes at once
-
-// Of the slope along a direction: the potential of what acts only at its end, beyond which that is
-// foreseen. Between 0.05 and 1 the cost of a capture changes by five per cent.
-constexpr double kForeseen = 0.5;
-
-}  // namespace
 
 StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodies,
                          std::vector<std::unique_ptr<Law>>& laws,
@@ -106,6 +98,9 @@ void StepProblem::begin(Start start) {
   held_.assign(mass_.size(), false);
   for (const Constraint& c : constraints_) held_[c.node] = true;
   if (one_sided_ && !start_.contact && !start_.linear) relax(y_);
+  led_here_ = false;
+  if (one_sided_ && !start_.linear)
+    for (const auto& law : *laws_) law->foretell(step.start->x, step.start->x);
   foreseen_directions_ = 0;
   node_body_.clear();
   body_body_.clear();
@@ -123,6 +118,7 @@ void StepProblem::relax(std::vector<Vec3>& y) const {
 void StepProblem::collect_constraints() {
   for (const Constraint& c : constraints_) constraint_of_[c.node] = kNone;
   constraints_.clear();
+  slips_before_.clear();
   for (const Prescribed& p : *start_.prescribed) {
     Constraint c;
     c.node = p.node;
@@ -187,6 +183,8 @@ double StepProblem::assemble(Projected projected) {
     matrix_.set_zero();
   }
   project_contact_ = projected != Projected::nothing;
+  if (std::exchange(led_here_, false))
+    for (const auto& law : *laws_) law->foretell(base_y_, y_);
   return sum_up({&gradient_, &matrix_, projected == Projected::everything});
 }
 
@@ -208,9 +206,11 @@ double StepProblem::sum_up(Assembly out) {
   if (start_.barrier) value += add_barrier(out);
   inertial = add_inertia(out.hessian != nullptr);
   value += 0.5 * step.inertia * inertial;
-  for (const Constraint& c : constraints_) {
+  for (std::size_t k = 0; k < constraints_.size(); ++k) {
+    const Constraint& c = constraints_[k];
     if (c.limit <= 0.0) continue;
     const Vec3 u = slip(c);
+    const double onward = slips_before_.empty() ? 1.0 : share_of_newton(slips_before_[k], u);
     const double size = std::hypot(u.norm(), c.smoothing);
     const Vec3 force = -c.limit / size * u;
     value += c.limit / step.reach * size;
@@ -219,7 +219,7 @@ double StepProblem::sum_up(Assembly out) {
     if (out.hessian)
       matrix_.diagonal[c.node] +=
           (c.limit * step.reach / size) *
-          (Mat3::Identity() - c.blocked - u * u.transpose() / (size * size));
+          (Mat3::Identity() - c.blocked - onward * u * u.transpose() / (size * size));
     if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * force;
   }
   return value;
@@ -290,77 +290,6 @@ void StepProblem::filter_matrix() {
       const Index place = border.place[c.node];
       if (place != kNone) border.rows[place] = (border.rows[place] * free).eval();
     }
-  }
-}
-
-// Where the direction makes threads taut that are slack now, the matrix knows nothing of what stops
-// them, and the potential rises. These are then taken for taut from the start, as active
-// constraints of the next quadratic model, and the direction is looked for once more.
-bool StepProblem::foresee() {
-  // Constraints that follow bodies are eliminated from the matrix in place, once.
-  if (!one_sided_ || start_.contact || start_.linear || project_contact_) return false;
-  const Stopwatch watch(times_.assembly);
-  move(1.0);
-  double energy = 0.0;
-  for (const auto& law : *laws_) energy += law->awaken(*start_.step, base_y_, y_, nullptr);
-  if (energy > kForeseen * std::abs(slope())) {
-    foreseen_.assign(y_.size(), Vec3::Zero());
-    const Assembly out{&foreseen_, &matrix_, false};
-    for (const auto& law : *laws_) law->awaken(*start_.step, base_y_, y_, &out);
-  }
-  move(0.0);
-  return !foreseen_.empty();
-}
-
-bool StepProblem::find_direction() {
-  if (!factorise()) return false;
-  solve_for_direction();
-  if (foresee()) {
-    ++foreseen_directions_;
-    const bool definite = factorise();
-    if (definite) solve_for_direction();
-    foreseen_.clear();  // whether it served or not: it belongs to this direction alone
-    if (!definite) return false;
-  }
-  return dy_.empty() ||
-         std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
-}
-
-bool StepProblem::factorise() {
-  const Stopwatch watch(times_.factor);
-  build_borders();
-  if (start_.linear) keep_rows();
-  filter_matrix();
-  if (!active_->factor(matrix_)) return false;
-  if (!touching_.empty()) {
-    solve_border_columns();
-    build_schur();
-  }
-  return true;
-}
-
-void StepProblem::reuse_direction() { solve_for_direction(); }
-
-// The direction for the present gradient with the present factorisation and borders.
-void StepProblem::solve_for_direction() {
-  const Stopwatch watch(times_.solve);
-  base_y_.resize(y_.size());
-  base_b_ = b_;
-  parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      base_y_[i] = y_[i];
-      dy_[i] = -gradient_[i];
-    }
-  });
-  for (std::size_t i = 0; i < foreseen_.size(); ++i) dy_[i] -= foreseen_[i];
-  for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
-  // A body that nothing touches any more goes back to its free motion.
-  for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
-  active_->solve(dy_);
-  if (!touching_.empty()) solve_bordered();
-  for (const Constraint& c : constraints_) {
-    dy_[c.node] -= c.blocked * dy_[c.node];
-    if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);
   }
 }
 

@@ -102,6 +102,8 @@ class StepProblem final : public NewtonProblem {
   void filter(std::vector<Vec3>& x) const;
 
  private:
+  static constexpr std::size_t kNodes = 4096;  // that a thread takes at once
+
   // The six columns K N J by which a body borders the matrix. They are nonzero only at the nodes
   // that follow the body and at their neighbours, and kept for those alone.
   struct Border {
@@ -142,6 +144,8 @@ class StepProblem final : public NewtonProblem {
   void filter_matrix();
   void keep_rows();
   bool factorise();
+  void hold();
+  void note_slips();
   bool foresee();
   void solve_for_direction();
   void solve_bordered();
@@ -172,10 +176,12 @@ class StepProblem final : public NewtonProblem {
   Start start_;
   std::vector<Constraint> constraints_;  // ordered by node
   std::vector<Index> constraint_of_;     // of each node, or kNone
+  std::vector<Vec3> slips_before_;       // of each where the last direction began; or empty
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
   bool one_sided_ = false;      // whether any law is
-  std::vector<Vec3> foreseen_;  // what foresee() adds to the gradient
+  std::vector<Vec3> foreseen_;  // what hold() and foresee() add to the gradient
+  bool led_here_ = false;       // whether the last direction leads to the present iterate
   int foreseen_directions_ = 0;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()

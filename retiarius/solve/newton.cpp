@@ -10,12 +10,14 @@ namespace retiarius {
 namespace {
 
 constexpr double kArmijo = 1e-4;
-constexpr std::size_t kMemory = 3;  // iterates that a whole step may be compared with
-constexpr int kMostTrials = 40;     // of a shorter step
-constexpr int kMostRises = 2;       // to iterates higher than the one before
-constexpr double kLongest = 1e3;    // step, over Newton's
-constexpr double kSteep = 0.3;      // slope at a step's end, over that at its start
-constexpr double kGrowth = 4.0;     // of a step that is made longer, at a time
+constexpr std::size_t kMemory = 3;   // iterates that a whole step may be compared with
+constexpr int kMostTrials = 40;      // of a shorter step
+constexpr int kMostRises = 2;        // to iterates higher than the one before
+constexpr double kLongest = 1e3;     // step, over Newton's
+constexpr double kSteep = 0.3;       // slope at a step's end, over that at its start
+constexpr double kGrowth = 4.0;      // of a step that is made longer, at a time
+constexpr double kKinkWidth = 0.02;  // of the place of a kink that a shortened step ends at
+constexpr int kProjected = 3;        // matrices in a row with contact projected, once one had to be
 
 // Ratios of the lengths of consecutive steps. Between 0.05 and 0.3 for the first and 0.2 and 0.5
 // for the second the cost of falling nets changes by a few per cent.
@@ -47,6 +49,8 @@ class Iteration {
   int rises_ = 0;               // accepted so far
   double size_before_ = 0.0;    // of the last whole step; 0: none to compare with
   double ratio_before_ = 0.0;   // residual ratio after the last step
+  Projected next_projection_ = Projected::nothing;  // of the next matrix
+  int projections_left_ = 0;                        // ... and those after it
   bool chord_ = false;          // the present direction comes from an old factorisation
   bool next_is_chord_ = false;  // ... and so will the next
 };
@@ -58,18 +62,26 @@ bool Iteration::find_direction() {
     problem_.reuse_direction();
     if (problem_.slope() <= 0.0) return true;
     chord_ = false;
-    value_ = problem_.assemble(Projected::nothing);
+    value_ = problem_.assemble(next_projection_);
   }
   return find_descent();
 }
 
 // With the full Hessian first, with the projected one if that has a pivot that is not positive.
+// Matrices after one with contact projected would mostly need it too: they are tried with it first.
 bool Iteration::find_descent() {
   ++result_.factorisations;
-  if (problem_.find_direction() && problem_.slope() <= 0.0) return true;
-  ++result_.projections;
-  if (problem_.has_contact()) {
+  const bool projected = next_projection_ == Projected::contact;
+  result_.projections += projected ? 1 : 0;
+  if (problem_.find_direction() && problem_.slope() <= 0.0) {
+    if (!projected || --projections_left_ == 0) next_projection_ = Projected::nothing;
+    return true;
+  }
+  if (!projected) ++result_.projections;
+  if (!projected && problem_.has_contact()) {
     problem_.assemble(Projected::contact);
+    next_projection_ = Projected::contact;
+    projections_left_ = kProjected;
     if (problem_.find_direction() && problem_.slope() <= 0.0) return true;
   }
   problem_.assemble(Projected::everything);
@@ -109,7 +121,7 @@ double Iteration::line_search() {
     size_before_ = 0.0;
   }
   problem_.move(most);
-  const double trial = next_is_chord_ ? problem_.evaluate() : problem_.assemble(Projected::nothing);
+  const double trial = next_is_chord_ ? problem_.evaluate() : problem_.assemble(next_projection_);
   const bool descends = trial <= value_ + kArmijo * most * slope;
   const bool falls =
       descends || (rises_ < kMostRises && trial <= reference + kArmijo * most * slope);
@@ -128,13 +140,17 @@ double Iteration::line_search() {
 
 // Looks for the place along the direction where the slope vanishes, between `low` where the
 // potential still falls and `high` where it rises or has not fallen enough, by the secant of the
-// slopes. Ends where the potential has fallen enough and the slope is half of that at the start.
+// slopes; in the middle where the same end moved twice, since a thread that becomes taut at the far
+// end keeps the secant at the near one. Ends where the potential has fallen enough and the slope is
+// half of that at the start, or where a kink between the two ends is found closely enough.
 double Iteration::shorten(double slope, double most, double high_slope) {
   double low = 0.0, low_slope = slope, high = most, best = 0.0;
+  int moved = 0;  // how often the low end moved in a row; negative: the high one
   for (int trials = 0; trials < kMostTrials; ++trials) {
     const double width = high - low;
     double at = low + 0.5 * width;
-    if (high_slope > 0.0) at = low - low_slope * width / (high_slope - low_slope);
+    if (high_slope > 0.0 && std::abs(moved) < 2)
+      at = low - low_slope * width / (high_slope - low_slope);
     at = std::clamp(at, low + 0.05 * width, high - 0.05 * width);
     problem_.move(at);
     const double trial = problem_.evaluate();
@@ -145,10 +161,13 @@ double Iteration::shorten(double slope, double most, double high_slope) {
     if (falls && here < 0.0) {
       low = at;
       low_slope = here;
+      moved = std::max(moved, 0) + 1;
     } else {
       high = at;
       high_slope = here;
+      moved = std::min(moved, 0) - 1;
     }
+    if (best > 0.0 && high - low <= kKinkWidth * high) break;
   }
   problem_.move(best);
   return best;
@@ -180,7 +199,7 @@ double Iteration::lengthen(double slope) {
 
 // Assembles at the present iterate; what was learned of the steps' lengths is forgotten.
 void Iteration::restart() {
-  value_ = problem_.assemble(Projected::nothing);
+  value_ = problem_.assemble(next_projection_);
   next_is_chord_ = false;
   size_before_ = 0.0;
 }
@@ -220,6 +239,7 @@ NewtonResult Iteration::run() {
                        ratio <= settings_.loose_residual_ratio;
     if ((full || loose) && problem_.revise(full)) {
       remembered_ = 0;
+      next_projection_ = Projected::nothing;
       restart();
       continue;
     }

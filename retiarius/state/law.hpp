@@ -60,11 +60,22 @@ class Law {
   // Moves nodes of a first guess `y` that strain the law's elements far beyond the step's start.
   virtual void relax(const Step&, const Weights&, std::vector<Vec3>& /*y*/) const {}
 
-  // Of a one-sided law: the potential at `next` of those elements that act there but not at y, J.
+  // What follows is for one-sided laws, and helps Newton's iteration to foresee what acts at its
+  // end. It changes the Hessian and directions, never potential or gradient.
+  //
+  // Notes the force that each element has at `next` as far as its linearisation at y tells, with
+  // those awake that were held or awakened at y. Forgotten with the next prepare().
+  virtual void foretell(const std::vector<Vec3>& /*y*/, const std::vector<Vec3>& /*next*/) {}
+
+  // Adds what elements that do not act at y, but do by what was foretold, would add to gradient and
+  // Hessian at y if they acted there. Returns whether there are any.
+  virtual bool hold(const std::vector<Vec3>& /*y*/, const Assembly& /*out*/) { return false; }
+
+  // The potential at `next` of those elements that act there but neither act at y nor are held, J.
   // Where `out` is given, adds what these would add to gradient and Hessian at y if they acted
   // there already.
-  virtual double awaken(const Step&, const std::vector<Vec3>& /*y*/,
-                        const std::vector<Vec3>& /*next*/, const Assembly* /*out*/) const {
+  virtual double awaken(const std::vector<Vec3>& /*y*/, const std::vector<Vec3>& /*next*/,
+                        const Assembly* /*out*/) {
     return 0.0;
   }
 

@@ -55,6 +55,15 @@ TEST(SmoothSlip, HasTheDerivativesItStatesAndCoulombsLimit) {
   EXPECT_EQ(smooth_slip(s, s).first, 1.0);
 }
 
+TEST(ShareOfNewton, IsTheCosineOfTheTurnButNotNegative) {
+  const Vec3 u(1e-3, 0, 0);
+  EXPECT_EQ(share_of_newton(Vec3::Zero(), u), 1.0);
+  EXPECT_EQ(share_of_newton(u, Vec3::Zero()), 1.0);
+  EXPECT_DOUBLE_EQ(share_of_newton(u, 5.0 * u), 1.0);
+  EXPECT_DOUBLE_EQ(share_of_newton(u, Vec3(2, 2, 0)), std::sqrt(0.5));
+  EXPECT_EQ(share_of_newton(u, -u), 0.0);
+}
+
 // Threads near a plane, a free sphere, box and capsule, and near each other; boxes near each other
 // and near the plane: every pair kind at about half of the barrier's range.
 class Scene {
@@ -92,13 +101,7 @@ class Scene {
   // Everything displaced by u: nodes, then each body's translation and rotation vector.
   Result evaluate(const Eigen::VectorXd& u, bool hessian = false, bool definite = false) {
     const std::size_t n = net_.mass.size(), count = bodies_.size();
-    std::vector<Vec3> x = state_.x, turns(count);
-    std::vector<BodyState> poses = state_.bodies;
-    for (std::size_t i = 0; i < n; ++i) x[i] += u.segment<3>(at(i));
-    for (std::size_t b = 0; b < count; ++b) {
-      turns[b] = u.segment<3>(body_at(b) + 3);
-      poses[b] = displaced(poses[b], u.segment<3>(body_at(b)), turns[b]);
-    }
+    const auto [x, turns, poses] = places(u);
     std::vector<Vec3> gradient(n, Vec3::Zero());
     std::vector<Vec6> body_gradient(count, Vec6::Zero());
     BlockMatrix matrix;
@@ -125,6 +128,11 @@ class Scene {
     return result;
   }
 
+  void note_slips(const Eigen::VectorXd& u) {
+    const auto [x, turns, poses] = places(u);
+    contact_->note_slips({&x, &poses, &turns});
+  }
+
   // With nodes 14 and 15, the upper of the crossed threads, higher by so much, m.
   std::vector<std::pair<Index, Index>> couplings_with_raised(double height) {
     std::vector<Vec3> x = state_.x;
@@ -144,6 +152,21 @@ class Scene {
   }
 
  private:
+  struct Places {
+    std::vector<Vec3> x, turns;
+    std::vector<BodyState> poses;
+  };
+  Places places(const Eigen::VectorXd& u) const {
+    const std::size_t count = bodies_.size();
+    Places p{state_.x, std::vector<Vec3>(count), state_.bodies};
+    for (std::size_t i = 0; i < p.x.size(); ++i) p.x[i] += u.segment<3>(at(i));
+    for (std::size_t b = 0; b < count; ++b) {
+      p.turns[b] = u.segment<3>(body_at(b) + 3);
+      p.poses[b] = displaced(p.poses[b], u.segment<3>(body_at(b)), p.turns[b]);
+    }
+    return p;
+  }
+
   static Eigen::Index at(std::size_t node) { return static_cast<Eigen::Index>(3 * node); }
   Eigen::Index body_at(std::size_t body) const {
     return static_cast<Eigen::Index>(3 * net_.mass.size() + 6 * body);
@@ -314,6 +337,24 @@ TEST(BarrierScene, HessianIsThatOfThePotential) {
       }
     }
   }
+}
+
+// Where slips have turned against those noted, friction's Hessian has that of the quadratic above
+// it: more along the slips, and the same gradient. Where they go on it stays as it is.
+TEST(BarrierScene, HessianOfFrictionIsHigherWhereSlipsTurnedBack) {
+  Scene scene(0.3);
+  const Eigen::VectorXd u = displacement(scene, 4e-4);
+  const Scene::Result plain = scene.evaluate(u, true);
+  scene.note_slips(u);
+  EXPECT_LE((scene.evaluate(u, true).hessian - plain.hessian).norm(), 1e-10 * plain.hessian.norm());
+  scene.note_slips(-u);
+  const Scene::Result turned = scene.evaluate(u, true);
+  EXPECT_EQ(turned.value, plain.value);
+  EXPECT_EQ(turned.gradient, plain.gradient);
+  const Eigen::VectorXd added =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(turned.hessian - plain.hessian).eigenvalues();
+  EXPECT_GT(added.minCoeff(), -1e-10 * plain.hessian.norm());
+  EXPECT_GT(added.maxCoeff(), 1e-3 * added.size());
 }
 
 TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {

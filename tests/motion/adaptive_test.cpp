@@ -155,8 +155,9 @@ Network folded() {
 }
 
 // As many fixed steps as the adaptive run took, rejected ones included, leave a larger error: those
-// that reach the same need more. Generalised alpha is left out: on threads that snap it makes
-// energy with steps that change.
+// that reach the same need more. Snaps make each run's error a matter of chance (rounding moves it
+// by a third), so the means over five accuracies are compared. Generalised alpha is left out: on
+// threads that snap it makes energy with steps that change.
 TEST(Adaptive, NeedsFewerStepsThanFixedOnesOnAShotWithSnaps) {
   const Network net = folded();
   const PrescribedMotion held = hold(net.initial, {0});
@@ -165,25 +166,26 @@ TEST(Adaptive, NeedsFewerStepsThanFixedOnesOnAShotWithSnaps) {
   exact.configure({}, fixed(Method::midpoint), {});
   run(exact, 5e-6, 90000, held);
   for (Method method : {Method::implicit_euler, Method::newmark, Method::tr_bdf2}) {
-    Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
-    sim.configure({}, adaptive(method, 1e-3, 0.02), {});
-    int steps = 0, rejected = 0;
-    while (sim.state().time < kTime) {
-      const StepReport report = sim.advance(kTime, held);
-      EXPECT_LE(report.rejections, 4);
-      EXPECT_GE(report.h, 0.02e-3 * 0.49);
-      ++steps;
-      rejected += report.rejections;
+    double error = 0.0, even_error = 0.0;
+    for (double accuracy : {0.8e-3, 0.9e-3, 1e-3, 1.1e-3, 1.2e-3}) {
+      Simulation sim(net, kNoBodies, initial_state(net, kNoBodies));
+      sim.configure({}, adaptive(method, accuracy, 0.02), {});
+      int steps = 0, rejected = 0;
+      while (sim.state().time < kTime) {
+        const StepReport report = sim.advance(kTime, held);
+        EXPECT_LE(report.rejections, 4);
+        EXPECT_GE(report.h, 0.02e-3 * 0.49);
+        ++steps;
+        rejected += report.rejections;
+      }
+      error += 0.2 * rms(exact.state().x, sim.state().x);
+      Simulation even(net, kNoBodies, initial_state(net, kNoBodies));
+      even.configure({}, fixed(method), {});
+      run(even, kTime / (steps + rejected), steps + rejected, held);
+      even_error += 0.2 * rms(exact.state().x, even.state().x);
     }
-    const double error = rms(exact.state().x, sim.state().x);
-    Simulation even(net, kNoBodies, initial_state(net, kNoBodies));
-    even.configure({}, fixed(method), {});
-    run(even, kTime / (steps + rejected), steps + rejected, held);
-    const double even_error = rms(exact.state().x, even.state().x);
-    RecordProperty(to_string(method), std::to_string(steps) + " + " + std::to_string(rejected) +
-                                          ": " + std::to_string(error) + " / " +
-                                          std::to_string(even_error));
-    EXPECT_LT(error, even_error) << to_string(method) << " " << steps << " + " << rejected;
+    RecordProperty(to_string(method), std::to_string(error) + " / " + std::to_string(even_error));
+    EXPECT_LT(error, even_error) << to_string(method);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "retiarius/solve/newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -28,11 +29,15 @@ class Scalars : public NewtonProblem {
   std::function<bool(bool)> on_revise;
   double residual_scale = 1e-12;
   std::vector<double> residuals;  // at each direction
+  bool touches = false;
+  std::vector<Projected> assembled;
+  int evaluations = 0;  // without the Hessian
 
   double assemble(Projected projected) override {
     gradient = slope_of(x);
     hessian = curvature(x);
-    if (projected == Projected::everything) {
+    assembled.push_back(projected);
+    if (projected == Projected::everything || (touches && projected == Projected::contact)) {
       const Eigen::SelfAdjointEigenSolver<Matrix> eigen(hessian);
       hessian = eigen.eigenvectors() *
                 eigen.eigenvalues().cwiseMax(1e-3).asDiagonal().toDenseMatrix() *
@@ -40,7 +45,9 @@ class Scalars : public NewtonProblem {
     }
     return value(x);
   }
+  bool has_contact() const override { return touches; }
   double evaluate() override {
+    ++evaluations;
     gradient = slope_of(x);
     return value(x);
   }
@@ -182,6 +189,53 @@ TEST(Newton, ProjectsWhereTheHessianIsIndefinite) {
   EXPECT_TRUE(r.converged) << r.failure;
   EXPECT_GT(r.projections, 0);
   EXPECT_NEAR(p.x[0], 1.0, 1e-10);
+}
+
+// The same as if it came of contact: once a matrix had to be projected the next three are at once.
+TEST(Newton, KeepsContactProjectedForThreeMatrices) {
+  Scalars p;
+  p.touches = true;
+  p.x = Vector::Constant(1, 1e-9);
+  p.value = [](const Vector& x) { return std::pow(x[0] * x[0] - 1.0, 2); };
+  p.slope_of = [](const Vector& x) { return Vector(4.0 * x * (x[0] * x[0] - 1.0)); };
+  p.curvature = [](const Vector& x) {
+    return Matrix(Matrix::Constant(1, 1, 12 * x[0] * x[0] - 4));
+  };
+  NewtonSettings settings = to(1e-10);
+  settings.reuse = false;
+  const NewtonResult r = minimise(p, settings);
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_NEAR(p.x[0], 1.0, 1e-10);
+  ASSERT_GT(p.assembled.size(), 5u);
+  EXPECT_EQ(p.assembled[0], Projected::nothing);
+  for (int k : {1, 2, 3, 4}) EXPECT_EQ(p.assembled[k], Projected::contact) << k;
+  EXPECT_EQ(p.assembled.back(), Projected::nothing);
+  EXPECT_EQ(std::count(p.assembled.begin(), p.assembled.end(), Projected::everything), 0);
+}
+
+// A thread that becomes taut at x = 0.3 is 10^7 times as stiff as what is known of the potential
+// before: by secants alone the search would creep towards it from below.
+TEST(Newton, LineSearchFindsAKinkInFewTrials) {
+  constexpr double kStiff = 1e7;
+  const auto beyond = [](const Vector& x) { return std::max(0.0, x[0] - 0.3); };
+  Scalars p;
+  p.x = Vector::Constant(1, 0.0);
+  p.value = [&](const Vector& x) {
+    return 0.5 * std::pow(x[0] - 1.0, 2) + 0.5 * kStiff * std::pow(beyond(x), 2);
+  };
+  p.slope_of = [&](const Vector& x) {
+    return Vector(Vector::Constant(1, x[0] - 1.0 + kStiff * beyond(x)));
+  };
+  p.curvature = [&](const Vector& x) {
+    return Matrix(Matrix::Constant(1, 1, 1.0 + (beyond(x) > 0.0 ? kStiff : 0.0)));
+  };
+  NewtonSettings settings = to(1e-10);
+  settings.reuse = false;
+  settings.max_iterations = 1;
+  minimise(p, settings);
+  EXPECT_NEAR(p.x[0], 0.3, 0.01);
+  EXPECT_GT(p.evaluations, 0);
+  EXPECT_LE(p.evaluations, 15);
 }
 
 // sqrt(1 + x^2): a full Newton step from x overshoots to -x^3 and diverges beyond 1.
