@@ -144,12 +144,14 @@ class StepProblem final : public NewtonProblem {
   void filter_matrix();
   void keep_rows();
   bool factorise();
+  bool solve_anew();
   void hold();
   void note_slips();
   bool foresee();
-  void solve_for_direction();
+  void start_direction();
+  void finish_direction();
   void solve_bordered();
-  void solve_border_columns();
+  void solve_with_border_columns();
   void build_schur();
   Vec6 border_times(std::size_t body, const Vec3* x) const;
   const std::vector<Vec6>& reduced_body_gradient() const;
@@ -201,7 +203,8 @@ class StepProblem final : public NewtonProblem {
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
-  std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, one column after the other
+  std::vector<Vec3>
+      columns_;  // A^-1 B of the bodies that touch, one column after the other; A^-1 dy
   Eigen::MatrixXd schur_;
   Eigen::VectorXd schur_rhs_;
   Eigen::LDLT<Eigen::MatrixXd> schur_factor_;

@@ -89,10 +89,11 @@ void StepProblem::add_body_blocks() {
   }
 }
 
-// A^-1 B, one column after the other.
-void StepProblem::solve_border_columns() {
+// A^-1 B, one column after the other, and after them A^-1 dy, which goes back to its place.
+void StepProblem::solve_with_border_columns() {
   const std::size_t n = dy_.size();
   columns_.assign(6 * touching_.size() * n, Vec3::Zero());
+  columns_.insert(columns_.end(), dy_.begin(), dy_.end());
   Vec3* first = columns_.data();
   for (const Index body : touching_) {
     const Border& border = borders_[body];
@@ -103,6 +104,7 @@ void StepProblem::solve_border_columns() {
     }
   }
   active_->solve(columns_);
+  std::copy(columns_.end() - static_cast<std::ptrdiff_t>(n), columns_.end(), dy_.begin());
 }
 
 // B^T x for the columns of one touching body.

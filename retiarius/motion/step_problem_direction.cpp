@@ -51,14 +51,10 @@ bool StepProblem::foresee() {
 
 bool StepProblem::find_direction() {
   hold();
-  bool found = factorise();
-  if (found) {
-    solve_for_direction();
-    if (foresee()) {
-      ++foreseen_directions_;
-      found = factorise();
-      if (found) solve_for_direction();
-    }
+  bool found = solve_anew();
+  if (found && foresee()) {
+    ++foreseen_directions_;
+    found = solve_anew();
   }
   foreseen_.clear();  // whether it served or not: it belongs to this direction alone
   if (!found) return false;
@@ -77,22 +73,36 @@ bool StepProblem::factorise() {
   build_borders();
   if (start_.linear) keep_rows();
   filter_matrix();
-  if (!active_->factor(matrix_)) return false;
-  if (!touching_.empty()) {
-    solve_border_columns();
+  return active_->factor(matrix_);
+}
+
+// The direction for the present gradient and matrix. Bodies' columns and the gradient are solved
+// for together, which costs little more than the one or the other.
+bool StepProblem::solve_anew() {
+  if (!factorise()) return false;
+  const Stopwatch watch(times_.solve);
+  start_direction();
+  if (touching_.empty()) {
+    active_->solve(dy_);
+  } else {
+    solve_with_border_columns();
     build_schur();
   }
+  finish_direction();
   return true;
 }
 
+// The direction for the present gradient with the present factorisation and borders.
 void StepProblem::reuse_direction() {
-  solve_for_direction();
+  const Stopwatch watch(times_.solve);
+  start_direction();
+  active_->solve(dy_);
+  finish_direction();
   led_here_ = one_sided_;
 }
 
-// The direction for the present gradient with the present factorisation and borders.
-void StepProblem::solve_for_direction() {
-  const Stopwatch watch(times_.solve);
+// The right-hand side, in the direction's place.
+void StepProblem::start_direction() {
   base_y_.resize(y_.size());
   base_b_ = b_;
   parallel_for(y_.size(), kNodes, [&](std::size_t begin, std::size_t end) {
@@ -105,7 +115,10 @@ void StepProblem::solve_for_direction() {
   for (const Constraint& c : constraints_) dy_[c.node] -= c.blocked * dy_[c.node];
   // A body that nothing touches any more goes back to its free motion.
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
-  active_->solve(dy_);
+}
+
+// What bodies and blocked directions add to the solution for the net alone.
+void StepProblem::finish_direction() {
   if (!touching_.empty()) solve_bordered();
   for (const Constraint& c : constraints_) {
     dy_[c.node] -= c.blocked * dy_[c.node];

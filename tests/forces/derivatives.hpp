@@ -34,11 +34,11 @@ inline Eigen::MatrixXd hessian_of(Law& law, const Step& step, const std::vector<
   law.assemble(step, y, out);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (Index c = 0; c < n; ++c) {
-    dense.block<3, 3>(3 * c, 3 * c) = m.diagonal[c];
+    dense.block<3, 3>(3L * c, 3L * c) = m.diagonal[c];
     for (Index s = pattern.starts()[c]; s < pattern.starts()[c + 1]; ++s) {
       const Index r = pattern.rows()[s];
-      dense.block<3, 3>(3 * r, 3 * c) = m.below[s];
-      dense.block<3, 3>(3 * c, 3 * r) = m.below[s].transpose();
+      dense.block<3, 3>(3L * r, 3L * c) = m.below[s];
+      dense.block<3, 3>(3L * c, 3L * r) = m.below[s].transpose();
     }
   }
   return dense;
