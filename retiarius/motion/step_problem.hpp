@@ -203,8 +203,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Border> borders_;        // of each body
   std::vector<Index> touching_;        // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
-  std::vector<Vec3>
-      columns_;  // A^-1 B of the bodies that touch, one column after the other; A^-1 dy
+  std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, column after column; A^-1 dy
   Eigen::MatrixXd schur_;
   Eigen::VectorXd schur_rhs_;
   Eigen::LDLT<Eigen::MatrixXd> schur_factor_;

@@ -19,16 +19,23 @@ inline std::vector<Vec3> gradient_of(const Law& law, const Step& step, const std
   return g;
 }
 
-// The law's Hessian as a dense matrix.
-inline Eigen::MatrixXd hessian_of(Law& law, const Step& step, const std::vector<Vec3>& y,
-                                  bool definite) {
-  const Index n = static_cast<Index>(y.size());
-  BlockPattern pattern(n);
+// An empty Hessian of the law's own pattern, which is made here and must outlive it; the law is
+// bound to that pattern.
+inline BlockMatrix empty_hessian(Law& law, BlockPattern& pattern) {
   law.couple(pattern);
   pattern.finish();
   law.bind(pattern);
   BlockMatrix m;
   m.reset(pattern);
+  return m;
+}
+
+// The law's Hessian as a dense matrix.
+inline Eigen::MatrixXd hessian_of(Law& law, const Step& step, const std::vector<Vec3>& y,
+                                  bool definite) {
+  const Index n = static_cast<Index>(y.size());
+  BlockPattern pattern(n);
+  BlockMatrix m = empty_hessian(law, pattern);
   std::vector<Vec3> g(y.size(), Vec3::Zero());
   Assembly out{&g, &m, definite};
   law.assemble(step, y, out);

@@ -265,11 +265,7 @@ TEST(Stretching, AwakensWhatBecomesTaut) {
     }
     EXPECT_NEAR(law.awaken(y, next, nullptr), energy, 1e-12 * (1.0 + energy));
     BlockPattern pattern(static_cast<Index>(y.size()));
-    law.couple(pattern);
-    pattern.finish();
-    law.bind(pattern);
-    BlockMatrix hessian;
-    hessian.reset(pattern);
+    BlockMatrix hessian = empty_hessian(law, pattern);
     std::vector<Vec3> gradient(y.size(), Vec3::Zero());
     const Assembly out{&gradient, &hessian, false};
     EXPECT_NEAR(law.awaken(y, next, &out), energy, 1e-12 * (1.0 + energy));
@@ -296,7 +292,8 @@ TEST(Stretching, AwakensWhatBecomesTaut) {
 
 // After foretell(y, next) potential and gradient are as before; across a taut segment the Hessian
 // has the tension that the linearisation at y gives at `next`, and segments that are a little slack
-// there although they were foretold a tension are held as if they were taut.
+// although they were foretold a tension are held as if they were taut. (At `next` itself there are
+// none of these: lengths are convex.)
 TEST(Stretching, ForetellsTensionsAndHoldsWhatIsToBeTaut) {
   Random random(6);
   int taut = 0, held = 0;
@@ -313,11 +310,7 @@ TEST(Stretching, ForetellsTensionsAndHoldsWhatIsToBeTaut) {
     EXPECT_EQ(law.potential(step, z), plain.potential(step, z));
     EXPECT_EQ(gradient_of(law, step, z), gradient_of(plain, step, z));
     BlockPattern pattern(static_cast<Index>(y.size()));
-    law.couple(pattern);
-    pattern.finish();
-    law.bind(pattern);
-    BlockMatrix hessian;
-    hessian.reset(pattern);
+    BlockMatrix hessian = empty_hessian(law, pattern);
     std::vector<Vec3> gradient(y.size(), Vec3::Zero()), pulls(y.size(), Vec3::Zero());
     Assembly all{&gradient, &hessian, false};
     law.assemble(step, z, all);
