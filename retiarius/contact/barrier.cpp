@@ -9,6 +9,7 @@
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/base/stopwatch.hpp"
 #include "retiarius/contact/advance.hpp"
+#include "retiarius/contact/barrier_function.hpp"
 
 namespace retiarius {
 
@@ -109,16 +110,18 @@ void BarrierContact::begin(const Step& step) {
   const State& start = *step.start;
   no_turns_.assign(start.bodies.size(), Vec3::Zero());
   const ContactPlaces at{&start.x, &start.bodies, &no_turns_};
+  foretold_.clear();
   for (const ContactPair& pair : search(at, at)) {
     const double apart = gap(pair, at);
+    if (apart > 0.0 && apart < range_) foretold_.push_back({pair, -barrier(apart, range_).first});
     if (apart > 0.0) continue;
     throw RunError(fmt::format(
         "barrier contact starts at time {:.9g} s from a state that interpenetrates: {} by {:.3g} "
         "m; move them apart, or take contact.method = \"modified-mass\"",
         start.time, name(pair), -apart));
   }
-  slidings(at, sliding_);
-  rounds_ = 0;
+  slidings(at, false, sliding_);
+  rounds_ = 1;
 }
 
 // Whether nothing is farther than the slack from where it was when pairs were looked for last.

@@ -78,7 +78,7 @@ void transfer(Archive& archive, PairContact& contact);
 // thread strained by a thousandth, both within the range.
 //
 // Friction is Coulomb's made smooth, with normal forces and directions of the last round: those of
-// the step's start first, then, each time that the step is solved, those of the solution, until
+// the step's start first, then those foretold while it is solved, and those of the solution, until
 // they change by less than `friction_tolerance` or after `friction_rounds`.
 class BarrierContact {
  public:
@@ -109,12 +109,15 @@ class BarrierContact {
   // is below `reach` times the range, or that friction joins in this round.
   std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
 
-  // Notes how far sliding contacts have slipped where a direction starts: at its end the Hessian
-  // tells by them those that slip on from those that turned back.
-  void note_slips(const ContactPlaces& at);
+  // Notes a direction from the place last evaluated, with second derivatives, to another. The next
+  // Hessian takes each pair's barrier as its force at the end of the direction, foretold by the
+  // last Hessian, demands it, and tells by the slips at the start those that slip on from those
+  // that turned back.
+  void note_direction(const ContactPlaces& from, const ContactPlaces& to);
 
-  // Whether friction must be solved again with the normal forces of this place.
-  bool revise(const ContactPlaces& at);
+  // Whether friction must be solved again: with the normal forces of this place where it solves the
+  // step, else with those foretold.
+  bool revise(const ContactPlaces& at, bool solved);
 
   // Whether the straight motion from the step's start to its end keeps every pair at least
   // kMotionShare of its thickness apart; `pair` gets the name of one that it does not.
@@ -145,7 +148,7 @@ class BarrierContact {
     Vec3 normal;
     double force = 0.0;          // normal, N
     std::array<Vec3, 4> start;   // of the points at the step's start, m
-    Vec3 before = Vec3::Zero();  // the slip that note_slips() found, m
+    Vec3 before = Vec3::Zero();  // the slip where the last direction began, m
   };
   // Of a body at the place that is evaluated.
   struct BodyPlace {
@@ -161,6 +164,15 @@ class BarrierContact {
     double energy = 0.0, round_off = 0.0;  // J; N
     Vec12 gradient = Vec12::Zero();
     Mat12 hessian = Mat12::Zero();
+    // Of a barrier: the distance's gradient, and -b' in m and the b'' that the Hessian was made of.
+    ContactPair pair;
+    Vec12 widening = Vec12::Zero();
+    double push = 0.0, bend = 0.0;
+  };
+  // The force -b' of a pair's barrier at the end of the last direction, m.
+  struct Foretold {
+    ContactPair pair;
+    double push;
   };
   // A pair at the place that is evaluated.
   struct Near {
@@ -192,6 +204,7 @@ class BarrierContact {
                     Term& term) const;
   void friction_term(const Sliding& s, const ContactPlaces& at, const ContactAssembly* out,
                      Term& term) const;
+  const Foretold* foretold(const ContactPair& pair) const;
   double coefficient(const ContactPair& pair) const;
   Vec3 slip(const Sliding& s, const ContactPlaces& at) const;
   void scatter(const Term& term, const ContactPlaces& at, ContactAssembly& out) const;
@@ -200,7 +213,7 @@ class BarrierContact {
   void scatter_body(const std::array<PointPlace, 4>& places, const std::array<Index, 4>& body,
                     int begin, int end, const std::array<Mat36, 4>& moves, const Mat12& hessian,
                     ContactAssembly& out) const;
-  void slidings(const ContactPlaces& at, std::vector<Sliding>& result);
+  void slidings(const ContactPlaces& at, bool foretold_forces, std::vector<Sliding>& result);
   void add_friction_to(std::vector<PairContact>& contacts, const Sliding& s,
                        const ContactPlaces& at) const;
   std::string name(const ContactPair& pair) const;
@@ -233,9 +246,10 @@ class BarrierContact {
   std::vector<std::size_t> near_;              // those that are
   std::vector<Term> terms_;
   std::vector<BodyPlace> body_places_;
+  std::vector<Foretold> foretold_, next_foretold_;  // as the pairs are ordered
   std::vector<Sliding> sliding_, next_sliding_;
   std::vector<Vec3> no_turns_;  // of each body
-  int rounds_ = 0;
+  int rounds_ = 0;  // of friction in this step
   double search_time_ = 0.0;
   double force_round_off_ = 0.0;
 };

@@ -137,6 +137,31 @@ bool BarrierContact::is_near(const ContactPair& pair, const ContactPlaces& at, b
   return true;
 }
 
+const BarrierContact::Foretold* BarrierContact::foretold(const ContactPair& pair) const {
+  const auto at =
+      std::lower_bound(foretold_.begin(), foretold_.end(), pair,
+                       [](const Foretold& f, const ContactPair& p) { return f.pair < p; });
+  return at != foretold_.end() && at->pair == pair ? &*at : nullptr;
+}
+
+void BarrierContact::note_direction(const ContactPlaces& from, const ContactPlaces& to) {
+  next_foretold_.resize(near_.size());
+  parallel_for(near_.size(), kTermGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Term& term = terms_[k];
+      const PairPositions p = scene_.positions(term.pair, *from.nodes, *from.bodies);
+      const PairPositions q = scene_.positions(term.pair, *to.nodes, *to.bodies);
+      double widening = 0.0;
+      for (int i = 0; i < term.count; ++i)
+        widening += term.widening.segment<3>(3L * i).dot(q[i] - p[i]);
+      next_foretold_[k] = {term.pair, std::max(0.0, term.push - term.bend * widening)};
+    }
+  });
+  foretold_.swap(next_foretold_);
+  place_bodies(from);
+  for (Sliding& s : sliding_) s.before = slip(s, from);
+}
+
 void BarrierContact::barrier_term(const ContactPair& pair, const ContactPlaces& at,
                                   const ContactAssembly* out, Term& term) const {
   term.count = 0;
@@ -156,12 +181,18 @@ void BarrierContact::barrier_term(const ContactPair& pair, const ContactPlaces& 
   if (!out->hessian) return;
   Mat12& hessian = term.hessian;
   const Vec12 dd = distance_gradient(near.distance);
-  hessian.noalias() = (m * near.curvature) * dd * dd.transpose();
-  hessian += (m * near.slope) * distance_hessian(near.distance, near.p);
+  const Foretold* known = foretold(pair);
+  const Jet b = known ? foretold_barrier(near.gap, range_, known->push) : barrier(near.gap, range_);
+  term.pair = pair;
+  term.widening = dd;
+  term.push = -near.slope / near.stiffness;
+  term.bend = b.second;
+  hessian.noalias() = (near.stiffness * m * b.second) * dd * dd.transpose();
+  hessian += (near.stiffness * m * b.first) * distance_hessian(near.distance, near.p);
   if (near.edges && m < 1.0) {
     const Mat12 cross = near.weight.gradient * dd.transpose();
-    const double b = near.stiffness * barrier(near.gap, range_).value;
-    hessian += near.slope * (cross + cross.transpose()) + b * near.weight.hessian;
+    hessian +=
+        near.slope * (cross + cross.transpose()) + near.stiffness * b.value * near.weight.hessian;
   }
   if (out->definite) drop_negative_curvature(hessian);
 }

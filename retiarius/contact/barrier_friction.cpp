@@ -18,8 +18,9 @@ double BarrierContact::coefficient(const ContactPair& pair) const {
   return 0.5 * (of_body(pair.first_owner) + of_body(pair.second_owner));
 }
 
-// The contacts at a place with their normal forces.
-void BarrierContact::slidings(const ContactPlaces& at, std::vector<Sliding>& result) {
+// The contacts at a place with their normal forces, or those foretold where that is wanted.
+void BarrierContact::slidings(const ContactPlaces& at, bool foretold_forces,
+                              std::vector<Sliding>& result) {
   result.clear();
   const State& start = *step_->start;
   Near near;
@@ -31,7 +32,8 @@ void BarrierContact::slidings(const ContactPlaces& at, std::vector<Sliding>& res
     s.count = point_count(pair.kind);
     s.weight = near.distance.weight;
     s.normal = near.distance.normal;
-    s.force = near.force;
+    const Foretold* known = foretold_forces ? foretold(pair) : nullptr;
+    s.force = known ? near.weight.value * near.stiffness * known->push : near.force;
     s.start = scene_.positions(pair, start.x, start.bodies);
     result.push_back(s);
   }
@@ -42,11 +44,6 @@ Vec3 BarrierContact::slip(const Sliding& s, const ContactPlaces& at) const {
   Vec3 u = Vec3::Zero();
   for (int i = 0; i < s.count; ++i) u += s.weight[i] * (world(s.places[i], at) - s.start[i]);
   return u - s.normal * s.normal.dot(u);
-}
-
-void BarrierContact::note_slips(const ContactPlaces& at) {
-  place_bodies(at);
-  for (Sliding& s : sliding_) s.before = slip(s, at);
 }
 
 void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
@@ -73,10 +70,10 @@ void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
       term.hessian.block<3, 3>(3L * i, 3L * j) = (limit * s.weight[i] * s.weight[j]) * h;
 }
 
-bool BarrierContact::revise(const ContactPlaces& at) {
-  if (++rounds_ >= spec_.friction_rounds) return false;
+bool BarrierContact::revise(const ContactPlaces& at, bool solved) {
+  if (rounds_ >= spec_.friction_rounds) return false;
   std::vector<Sliding>& next = next_sliding_;
-  slidings(at, next);
+  slidings(at, !solved, next);
   // Both are ordered as the pairs are.
   double change = 0.0, sum = 1e-300;
   auto old = sliding_.begin();
@@ -92,6 +89,7 @@ bool BarrierContact::revise(const ContactPlaces& at) {
   }
   for (; old != sliding_.end(); ++old) change += old->force;
   if (change <= spec_.friction_tolerance * sum) return false;
+  ++rounds_;
   sliding_.swap(next);
   return true;
 }

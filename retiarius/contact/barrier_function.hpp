@@ -15,6 +15,20 @@ struct Jet {
 // It begins smoothly (b, b', b'' are 0 at g = r) and times a stiffness in N/m is an energy.
 Jet barrier(double gap, double range);
 
+// The gap at which the barrier's force -b' is `force` >= 0, in m: `range` where that is 0.
+double gap_of_force(double force, double range);
+
+// The barrier as Newton's matrix is to take it at `gap`, where `force`, in m, is foretold for the
+// place that the step leads to: its value, minus that force, and the slope of b' from here to the
+// gap that belongs to it, instead of b' and b''. The force counts as no less than a fiftieth and no
+// more than fiftyfold the one here.
+//
+// The barrier is so bent that Newton's step from a gap that is much too small only doubles it, and
+// that from one that is too wide leads through the surface. With the slope to the gap wanted a
+// single step gets there. For -ln(g) this is the primal-dual iteration of interior point methods
+// (Wright 1997), with the foretold force as the dual variable.
+Jet foretold_barrier(double gap, double range, double force);
+
 // Coulomb's friction made smooth (Li et al. 2020, Eq. 13): the integral over the slip u >= 0 of
 //   f1(u) = 2 u/s - (u/s)^2 for u < s, 1 beyond,
 // in m; times the normal force and the coefficient it is a potential. `first` is f1(u); `over` is

@@ -19,9 +19,10 @@ namespace retiarius {
 
 namespace {
 
-// Convergence at which contacts are first revised: reactions are known to this share.
+// Convergence at which contacts are first revised: reactions are known to this share. The forces of
+// barriers are foretold, and better known than that.
 constexpr double kLooseTolerance = 1e-3;
-constexpr double kLooseWithBarriers = 5e-2;
+constexpr double kLooseWithBarriers = 0.3;
 
 // A step that took at most this share of the iterations allowed may be followed by a longer one.
 constexpr double kEasyStep = 0.4;

@@ -91,10 +91,13 @@ void StepProblem::follow_couplings() {
   couple(std::move(couplings));
 }
 
-void StepProblem::note_slips() {
+void StepProblem::note_direction() {
   const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
-  start_.barrier->note_slips(end_.places());
+  move(1.0);
+  find_end(other_end_);
+  move(0.0);
+  start_.barrier->note_direction(end_.places(), other_end_.places());
 }
 
 double StepProblem::free_fraction(double wanted) {

@@ -387,7 +387,7 @@ double StepProblem::residual_ratio() const {
 bool StepProblem::revise(bool full) {
   if (start_.barrier) {
     find_end(end_);
-    return start_.barrier->revise(end_.places());
+    return start_.barrier->revise(end_.places(), full);
   }
   if (!start_.contact) return false;
   end_positions_ = end_positions(std::move(end_positions_));

@@ -146,7 +146,7 @@ class StepProblem final : public NewtonProblem {
   bool factorise();
   bool solve_anew();
   void hold();
-  void note_slips();
+  void note_direction();
   bool foresee();
   void start_direction();
   void finish_direction();

@@ -59,13 +59,12 @@ bool StepProblem::find_direction() {
   foreseen_.clear();  // whether it served or not: it belongs to this direction alone
   if (!found) return false;
   led_here_ = one_sided_;
-  if (start_.barrier) note_slips();
+  if (start_.barrier) note_direction();
   if (start_.contact) {
     slips_before_.clear();
     for (const Constraint& c : constraints_) slips_before_.push_back(slip(c));
   }
-  return dy_.empty() ||
-         std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
+  return true;
 }
 
 bool StepProblem::factorise() {
@@ -89,7 +88,7 @@ bool StepProblem::solve_anew() {
     build_schur();
   }
   finish_direction();
-  return true;
+  return std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
 
 // The direction for the present gradient with the present factorisation and borders.

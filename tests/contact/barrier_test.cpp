@@ -1,4 +1,4 @@
-// The barrier's potential: its scalar functions, and all derivatives against finite differences.
+// The barrier's potential: all derivatives against finite differences.
 #include "retiarius/contact/barrier.hpp"
 
 #include <optional>
@@ -16,53 +16,6 @@ namespace retiarius {
 namespace {
 
 using namespace retiarius::testing;
-
-TEST(Barrier, HasTheDerivativesItStates) {
-  const double range = 2e-4;
-  for (double share : {0.01, 0.1, 0.3, 0.7, 0.95, 0.999}) {
-    const double g = share * range, e = 1e-5 * std::min(g, range - g);
-    const Jet at = barrier(g, range), up = barrier(g + e, range), down = barrier(g - e, range);
-    EXPECT_NEAR((up.value - down.value) / (2 * e), at.first, 1e-7 * std::abs(at.first));
-    EXPECT_NEAR((up.first - down.first) / (2 * e), at.second, 1e-7 * at.second) << share;
-    EXPECT_GT(at.value, 0.0);
-    EXPECT_LT(at.first, 0.0);
-    EXPECT_GT(at.second, 0.0);
-  }
-}
-
-TEST(Barrier, BeginsSmoothlyAtItsRangeAndIsInfiniteAtContact) {
-  const Jet end = barrier(1.0 - 1e-9, 1.0);
-  EXPECT_NEAR(end.value, 0.0, 1e-25);
-  EXPECT_NEAR(end.first, 0.0, 1e-17);
-  EXPECT_NEAR(end.second, 0.0, 1e-8);
-  EXPECT_EQ(barrier(1.0, 1.0).value, 0.0);
-  EXPECT_EQ(barrier(0.0, 1.0).value, kInfinity);
-  EXPECT_EQ(barrier(-0.1, 1.0).value, kInfinity);
-  EXPECT_EQ(barrier(std::numeric_limits<double>::quiet_NaN(), 1.0).value, kInfinity);
-}
-
-TEST(SmoothSlip, HasTheDerivativesItStatesAndCoulombsLimit) {
-  const double s = 1e-5;
-  for (double u : {0.01 * s, 0.5 * s, 0.99 * s, 1.01 * s, 20.0 * s}) {
-    const double e = 1e-6 * u;
-    const SlipJet at = smooth_slip(u, s), up = smooth_slip(u + e, s), down = smooth_slip(u - e, s);
-    EXPECT_NEAR((up.value - down.value) / (2 * e), at.first, 1e-8);
-    EXPECT_NEAR((up.first - down.first) / (2 * e), at.second, 1e-6 / s);
-    EXPECT_NEAR(at.over, at.first / u, 1e-12 / s);
-  }
-  EXPECT_EQ(smooth_slip(0.0, s).first, 0.0);
-  EXPECT_EQ(smooth_slip(0.0, s).over, 2.0 / s);
-  EXPECT_EQ(smooth_slip(s, s).first, 1.0);
-}
-
-TEST(ShareOfNewton, IsTheCosineOfTheTurnButNotNegative) {
-  const Vec3 u(1e-3, 0, 0);
-  EXPECT_EQ(share_of_newton(Vec3::Zero(), u), 1.0);
-  EXPECT_EQ(share_of_newton(u, Vec3::Zero()), 1.0);
-  EXPECT_DOUBLE_EQ(share_of_newton(u, 5.0 * u), 1.0);
-  EXPECT_DOUBLE_EQ(share_of_newton(u, Vec3(2, 2, 0)), std::sqrt(0.5));
-  EXPECT_EQ(share_of_newton(u, -u), 0.0);
-}
 
 // Threads near a plane, a free sphere, box and capsule, and near each other; boxes near each other
 // and near the plane: every pair kind at about half of the barrier's range.
@@ -118,8 +71,9 @@ class Scene {
       out.body_body = &body_body;
     }
     Result result;
+    const double value = contact_->evaluate({&x, &poses, &turns}, nullptr);
     result.value = contact_->evaluate({&x, &poses, &turns}, &out);
-    EXPECT_EQ(result.value, contact_->evaluate({&x, &poses, &turns}, nullptr));
+    EXPECT_EQ(result.value, value);
     result.gradient = Eigen::VectorXd::Zero(unknowns());
     for (std::size_t i = 0; i < n; ++i) result.gradient.segment<3>(at(i)) = gradient[i];
     for (std::size_t b = 0; b < count; ++b)
@@ -128,9 +82,18 @@ class Scene {
     return result;
   }
 
-  void note_slips(const Eigen::VectorXd& u) {
+  // A direction from u to v.
+  void note_direction(const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
     const auto [x, turns, poses] = places(u);
-    contact_->note_slips({&x, &poses, &turns});
+    const auto [y, turns_there, poses_there] = places(v);
+    contact_->note_direction({&x, &poses, &turns}, {&y, &poses_there, &turns_there});
+  }
+
+  // The Hessian with each barrier's own curvature: of a direction that leads nowhere.
+  Eigen::MatrixXd plain_hessian(const Eigen::VectorXd& u, bool definite = false) {
+    evaluate(u, true);
+    note_direction(u, u);
+    return evaluate(u, true, definite).hessian;
   }
 
   // With nodes 14 and 15, the upper of the crossed threads, higher by so much, m.
@@ -325,14 +288,14 @@ TEST(BarrierScene, HessianIsThatOfThePotential) {
     for (double size : {friction == 0.0 ? 0.0 : 5e-6, 2e-5, 4e-4}) {
       Eigen::VectorXd u = displacement(scene, size);
       for (Eigen::Index b = 0; b < 5; ++b) u.segment<3>(60 + 6 * b + 3).setZero();
-      const Scene::Result here = scene.evaluate(u, true);
-      const double e = 2e-8, scale = here.hessian.cwiseAbs().maxCoeff();
+      const Eigen::MatrixXd here = scene.plain_hessian(u);
+      const double e = 2e-8, scale = here.cwiseAbs().maxCoeff();
       for (Eigen::Index k = 0; k < u.size(); ++k) {
         if (scene.is_fixed(k)) continue;
         const Eigen::VectorXd d = e * Eigen::VectorXd::Unit(u.size(), k);
         const Eigen::VectorXd column =
             (scene.evaluate(u + d).gradient - scene.evaluate(u - d).gradient) / (2 * e);
-        EXPECT_LT((here.hessian.col(k) - column).cwiseAbs().maxCoeff(), 2e-6 * scale)
+        EXPECT_LT((here.col(k) - column).cwiseAbs().maxCoeff(), 2e-6 * scale)
             << k << " friction " << friction << " size " << size;
       }
     }
@@ -344,17 +307,65 @@ TEST(BarrierScene, HessianIsThatOfThePotential) {
 TEST(BarrierScene, HessianOfFrictionIsHigherWhereSlipsTurnedBack) {
   Scene scene(0.3);
   const Eigen::VectorXd u = displacement(scene, 4e-4);
-  const Scene::Result plain = scene.evaluate(u, true);
-  scene.note_slips(u);
-  EXPECT_LE((scene.evaluate(u, true).hessian - plain.hessian).norm(), 1e-10 * plain.hessian.norm());
-  scene.note_slips(-u);
+  const Eigen::MatrixXd plain = scene.plain_hessian(u);
+  const Scene::Result onward = scene.evaluate(u, true);
+  EXPECT_LE((onward.hessian - plain).norm(), 1e-10 * plain.norm());
+  scene.note_direction(-u, -u);  // a way of no length from where slips are the opposite
   const Scene::Result turned = scene.evaluate(u, true);
-  EXPECT_EQ(turned.value, plain.value);
-  EXPECT_EQ(turned.gradient, plain.gradient);
+  EXPECT_EQ(turned.value, onward.value);
+  EXPECT_EQ(turned.gradient, onward.gradient);
   const Eigen::VectorXd added =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(turned.hessian - plain.hessian).eigenvalues();
-  EXPECT_GT(added.minCoeff(), -1e-10 * plain.hessian.norm());
-  EXPECT_GT(added.maxCoeff(), 1e-3 * added.size());
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(turned.hessian - plain).eigenvalues();
+  EXPECT_GT(added.minCoeff(), -1e-10 * plain.norm());
+  EXPECT_GT(added.maxCoeff(), 0.05 * plain.norm());
+}
+
+// The next Hessian leads to the gap that belongs to the force at a direction's end, as the last one
+// foretells it; the gradient stays that of the potential.
+TEST(Barrier, HessianLeadsToTheGapOfTheForetoldForce) {
+  const double range = 2e-4, gap = 0.05 * range, way = 0.8 * gap;
+  const std::vector<Body> bodies = {fixed_plane()};
+  const Network net = two_masses({0, 0, kRadius + gap});
+  const State state = initial_state(net, bodies);
+  Step step;
+  step.start = &state;
+  step.h = 1e-2;
+  ContactSpec spec = barriers();
+  spec.gap = range;
+  BarrierContact contact(net, bodies, spec, step.h);
+  contact.begin(step);
+  BlockPattern pattern(2);
+  pattern.couple(1, 0);
+  pattern.finish();
+  const std::vector<Vec3> turns(1, Vec3::Zero());
+  const ContactPlaces here{&state.x, &state.bodies, &turns};
+  std::vector<Vec3> gradient;
+  const auto curvature = [&] {
+    gradient.assign(2, Vec3::Zero());
+    std::vector<Vec6> body_gradient(1, Vec6::Zero());
+    std::vector<ContactAssembly::NodeBody> node_body;
+    std::vector<ContactAssembly::BodyBody> body_body;
+    BlockMatrix matrix;
+    matrix.reset(pattern);
+    ContactAssembly out;
+    out.gradient = &gradient;
+    out.body_gradient = &body_gradient;
+    out.hessian = &matrix;
+    out.node_body = &node_body;
+    out.body_body = &body_body;
+    contact.evaluate(here, &out);
+    return matrix.diagonal[0](2, 2);
+  };
+  const Jet own = barrier(gap, range);
+  const double plain = curvature(), stiffness = plain / own.second;
+  EXPECT_NEAR(gradient[0].z(), stiffness * own.first, 1e-9 * plain * gap);
+  std::vector<Vec3> up = state.x;
+  up[0].z() += way;
+  contact.note_direction(here, {&up, &state.bodies, &turns});
+  const Jet foretold = foretold_barrier(gap, range, -own.first - own.second * way);
+  EXPECT_NEAR(curvature(), stiffness * foretold.second, 1e-9 * plain);
+  EXPECT_LT(foretold.second, 0.9 * own.second);
+  EXPECT_NEAR(gradient[0].z(), stiffness * own.first, 1e-9 * plain * gap);
 }
 
 TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {
@@ -371,8 +382,8 @@ TEST(BarrierScene, DefiniteHessianHasNoNegativeEigenvalue) {
 TEST(BarrierScene, DefiniteHessianLacksNothingButNegativeCurvature) {
   Scene scene(0.0);
   const Eigen::VectorXd u = displacement(scene, 2e-5);
-  const Eigen::MatrixXd full = scene.evaluate(u, true, false).hessian.topLeftCorner(60, 60);
-  const Eigen::MatrixXd definite = scene.evaluate(u, true, true).hessian.topLeftCorner(60, 60);
+  const Eigen::MatrixXd full = scene.plain_hessian(u).topLeftCorner(60, 60);
+  const Eigen::MatrixXd definite = scene.plain_hessian(u, true).topLeftCorner(60, 60);
   const Eigen::VectorXd added =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(definite - full).eigenvalues();
   EXPECT_GT(added.minCoeff(), -1e-10 * definite.norm());
