@@ -32,7 +32,7 @@ Stack stacked(const ReportColumns& columns, const std::vector<double>& values,
   return stack;
 }
 
-std::string spread_text(const Distribution& d) {
+std::string spread_text(const SampleDistribution& d) {
   std::string text = fmt::format("Mean {}, deviation {}; median {}, 5 to 95 %: {} to {}",
                                  short_number(d.mean), short_number(d.deviation),
                                  short_number(d.median), short_number(d.q05), short_number(d.q95));
@@ -116,7 +116,7 @@ CampaignFigure response_figure(const ReportColumns& columns, const CampaignResul
   std::vector<double> at, means;
   for (std::size_t b = 0; b < in_class.size(); ++b) {
     if (in_class[b].size() < 3) continue;
-    const Distribution d = distribution(in_class[b]);
+    const SampleDistribution d = distribution(in_class[b]);
     const double half = 1.96 * d.deviation / std::sqrt(static_cast<double>(d.count));
     at.push_back(distribution(places[b]).mean);
     means.push_back(d.mean);

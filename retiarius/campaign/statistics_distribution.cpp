@@ -50,9 +50,9 @@ double quantile(const std::vector<double>& ascending, double p) {
   return (1.0 - share) * ascending[below] + share * ascending[below + 1];
 }
 
-Distribution distribution(const std::vector<double>& values) {
+SampleDistribution distribution(const std::vector<double>& values) {
   const std::vector<double> sorted = ascending_of(values);
-  Distribution d;
+  SampleDistribution d;
   d.count = sorted.size();
   d.missing = values.size() - sorted.size();
   const double n = static_cast<double>(d.count);

@@ -7,14 +7,14 @@
 namespace retiarius {
 
 // Of the values that are there; NaN counts as missing. Without values all numbers are NaN.
-struct Distribution {
+struct SampleDistribution {
   std::size_t count = 0, missing = 0;
   double mean = 0.0;
   double deviation = 0.0;  // standard deviation of the sample (n - 1); NaN for one value
   double least = 0.0, greatest = 0.0;
   double q05 = 0.0, q25 = 0.0, median = 0.0, q75 = 0.0, q95 = 0.0;
 };
-Distribution distribution(const std::vector<double>& values);
+SampleDistribution distribution(const std::vector<double>& values);
 
 // Quantile of ascending values without NaN, 0 <= p <= 1, linear between order statistics
 // (definition 7 of Hyndman & Fan, Am. Stat. 50, 1996). NaN without values.

@@ -15,7 +15,7 @@ bool coupled(const Graph& graph, Index v, Index w) {
   return std::binary_search(begin, end, w);
 }
 
-std::vector<Index> numbers_of(const Piece& piece) {
+std::vector<Index> numbers_of(const EliminatedPiece& piece) {
   std::vector<Index> all = piece.columns;
   all.insert(all.end(), piece.border.begin(), piece.border.end());
   return all;
@@ -25,7 +25,7 @@ std::vector<Index> numbers_of(const Piece& piece) {
 // lists are of one shape.
 using Key = std::pair<Index, std::vector<std::pair<Index, Index>>>;
 
-Key key_of(const Graph& graph, const Piece& piece) {
+Key key_of(const Graph& graph, const EliminatedPiece& piece) {
   const std::vector<Index> all = numbers_of(piece);
   Key key{static_cast<Index>(piece.columns.size()), {}};
   for (Index c = 0; c < key.first; ++c) {
@@ -96,22 +96,22 @@ bool fits(const PieceShape& shape) {
 
 class Maker {
  public:
-  Maker(const BlockPattern& pattern, const Graph& graph, const std::vector<Piece>& pieces)
+  Maker(const BlockPattern& pattern, const Graph& graph, const std::vector<EliminatedPiece>& pieces)
       : pattern_(pattern), graph_(graph), pieces_(pieces) {}
 
   PieceBatches make() {
-    std::map<Key, std::vector<const Piece*>> groups;
-    for (const Piece& p : pieces_) groups[key_of(graph_, p)].push_back(&p);
+    std::map<Key, std::vector<const EliminatedPiece*>> groups;
+    for (const EliminatedPiece& p : pieces_) groups[key_of(graph_, p)].push_back(&p);
     place_.assign(static_cast<std::size_t>(pattern_.blocks()), 0);
     for (auto group = groups.begin(); group != groups.end();) {
-      const Piece& first = *group->second.front();
+      const EliminatedPiece& first = *group->second.front();
       PieceShape shape = make_shape(group->first, static_cast<Index>(first.border.size()));
       if (2 * group->second.size() < kLanes || !fits(shape)) {
         group = groups.erase(group);
         continue;
       }
       out_.shapes.push_back(std::move(shape));
-      for (const Piece* p : group->second)
+      for (const EliminatedPiece* p : group->second)
         for (const Index v : p->columns) place_[v] = kNone;
       ++group;
     }
@@ -128,7 +128,7 @@ class Maker {
   }
 
  private:
-  void number_rest(const std::map<Key, std::vector<const Piece*>>& groups) {
+  void number_rest(const std::map<Key, std::vector<const EliminatedPiece*>>& groups) {
     for (Index v = 0; v < pattern_.blocks(); ++v) {
       if (place_[v] == kNone) continue;
       place_[v] = static_cast<Index>(out_.kept.size());
@@ -143,7 +143,7 @@ class Maker {
       }
     }
     for (const auto& group : groups) {
-      for (const Piece* p : group.second)
+      for (const EliminatedPiece* p : group.second)
         for (const Index a : p->border)
           for (const Index b : p->border) out_.rest.couple(place_[a], place_[b]);
     }
@@ -156,7 +156,7 @@ class Maker {
     }
   }
 
-  void add_batch(Index shape_number, const Piece* const* members, std::size_t count) {
+  void add_batch(Index shape_number, const EliminatedPiece* const* members, std::size_t count) {
     const PieceShape& shape = out_.shapes[shape_number];
     PieceBatch batch;
     batch.shape = shape_number;
@@ -211,7 +211,7 @@ class Maker {
 
   const BlockPattern& pattern_;
   const Graph& graph_;
-  const std::vector<Piece>& pieces_;
+  const std::vector<EliminatedPiece>& pieces_;
   std::vector<Index> place_;
   PieceBatches out_;
 };
@@ -232,7 +232,7 @@ kernels::PiecePlan PieceShape::plan() const {
 }
 
 PieceBatches make_batches(const BlockPattern& pattern, const Graph& graph,
-                          const std::vector<Piece>& pieces) {
+                          const std::vector<EliminatedPiece>& pieces) {
   return Maker(pattern, graph, pieces).make();
 }
 

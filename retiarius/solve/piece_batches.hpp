@@ -52,6 +52,6 @@ struct PieceBatches {
 
 // Pieces that share their shape with fewer than kPieceLanes / 2 others are left in the rest.
 PieceBatches make_batches(const BlockPattern& pattern, const Graph& graph,
-                          const std::vector<Piece>& pieces);
+                          const std::vector<EliminatedPiece>& pieces);
 
 }  // namespace retiarius

@@ -20,11 +20,11 @@ class Finder {
       if (low[v] && crosses(v, low)) inner_[v] = 0;
   }
 
-  std::vector<Piece> pieces() {
-    std::vector<Piece> result;
+  std::vector<EliminatedPiece> pieces() {
+    std::vector<EliminatedPiece> result;
     for (Index v = 0; v < graph_.size(); ++v) {
       if (!inner_[v] || taken_[v]) continue;
-      Piece piece = piece_from(v);
+      EliminatedPiece piece = piece_from(v);
       if (piece.columns.size() <= kMostColumns && piece.border.size() <= kMostBorder)
         result.push_back(std::move(piece));
     }
@@ -82,8 +82,8 @@ class Finder {
     return order;
   }
 
-  Piece piece_from(Index v) {
-    Piece piece;
+  EliminatedPiece piece_from(Index v) {
+    EliminatedPiece piece;
     const std::vector<Index> all = levels_from(v);
     for (const Index w : all) taken_[w] = 0;
     const Index end = *std::min_element(all.begin(), all.end(), [this](Index a, Index b) {
@@ -105,18 +105,18 @@ class Finder {
   std::vector<char> inner_, taken_;
 };
 
-std::size_t columns_of(const std::vector<Piece>& pieces) {
+std::size_t columns_of(const std::vector<EliminatedPiece>& pieces) {
   std::size_t sum = 0;
-  for (const Piece& p : pieces) sum += p.columns.size();
+  for (const EliminatedPiece& p : pieces) sum += p.columns.size();
   return sum;
 }
 
 }  // namespace
 
-std::vector<Piece> find_pieces(const Graph& graph) {
-  std::vector<Piece> best;
+std::vector<EliminatedPiece> find_pieces(const Graph& graph) {
+  std::vector<EliminatedPiece> best;
   for (Index most = 1; most <= kMostNeighbours; ++most) {
-    std::vector<Piece> found = Finder(graph, most).pieces();
+    std::vector<EliminatedPiece> found = Finder(graph, most).pieces();
     if (columns_of(found) > columns_of(best)) best = std::move(found);
   }
   return best;

@@ -8,7 +8,7 @@
 
 namespace retiarius {
 
-struct Piece {
+struct EliminatedPiece {
   std::vector<Index> columns;  // in the order of elimination: along the path
   std::vector<Index> border;   // what they are coupled to besides, as met along the path
 };
@@ -16,6 +16,6 @@ struct Piece {
 // Vertices of few neighbours form paths; where paths of two pieces are coupled across a knot (by
 // bending), one vertex there is left out. The bound on neighbours that lets most vertices go is
 // taken. No two pieces share a column or are coupled but by their borders. Deterministic.
-std::vector<Piece> find_pieces(const Graph& graph);
+std::vector<EliminatedPiece> find_pieces(const Graph& graph);
 
 }  // namespace retiarius

@@ -2,7 +2,9 @@
 #  - a room (folder of retiarius/) includes only from itself and from rooms above it in the list of
 #    retiarius/CMakeLists.txt, always by the path "retiarius/room/file.hpp";
 #  - the library neither prints nor exits;
-#  - no C++ file has more than 500 lines.
+#  - no C++ file has more than 500 lines;
+#  - no two headers define types of the same name in the same namespace: the linker would take one's
+#    functions for both, without a word.
 # Every violation is listed; one is enough to fail.
 cmake_minimum_required(VERSION 3.25)
 set(longest 500)
@@ -65,6 +67,27 @@ function(check_length file)
   set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
+# Types that a header defines in the namespace that it opens first.
+function(check_types file)
+  file(STRINGS "${SOURCE_DIR}/${file}" lines
+       REGEX "^namespace [a-z0-9_:]+ {|^(struct|class|enum class|enum) [A-Za-z0-9_]+ [^;]*{")
+  set(space "")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^namespace ([a-z0-9_:]+) {")
+      if(space STREQUAL "")
+        set(space "${CMAKE_MATCH_1}")
+      endif()
+    elseif(line MATCHES "^(struct|class|enum class|enum) ([A-Za-z0-9_]+) ")
+      set(type "${space}::${CMAKE_MATCH_2}")
+      if(DEFINED "home_of_${type}")
+        violation("${file}: ${type} is defined in ${home_of_${type}} too")
+      endif()
+      set("home_of_${type}" "${file}" PARENT_SCOPE)
+    endif()
+  endforeach()
+  set(violations "${violations}" PARENT_SCOPE)
+endfunction()
+
 file(GLOB_RECURSE library RELATIVE "${SOURCE_DIR}"
      "${SOURCE_DIR}/retiarius/*.hpp" "${SOURCE_DIR}/retiarius/*.cpp")
 file(GLOB_RECURSE others RELATIVE "${SOURCE_DIR}"
@@ -82,6 +105,11 @@ foreach(file IN LISTS library)
 endforeach()
 foreach(file IN LISTS others)
   check_length("${file}")
+endforeach()
+foreach(file IN LISTS library others)
+  if(file MATCHES "\\.hpp$" AND NOT file MATCHES "^tests/")
+    check_types("${file}")
+  endif()
 endforeach()
 
 if(violations)

@@ -12,7 +12,7 @@ using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 
 TEST(Distribution, OfAFewValues) {
-  const Distribution d = distribution({4, NAN, 1, 3, 2});
+  const SampleDistribution d = distribution({4, NAN, 1, 3, 2});
   EXPECT_EQ(d.count, 4u);
   EXPECT_EQ(d.missing, 1u);
   EXPECT_DOUBLE_EQ(d.mean, 2.5);
@@ -27,14 +27,14 @@ TEST(Distribution, OfAFewValues) {
 TEST(Distribution, OfNothingAndOfOne) {
   EXPECT_TRUE(std::isnan(distribution({}).mean));
   EXPECT_TRUE(std::isnan(distribution({NAN}).median));
-  const Distribution one = distribution({5});
+  const SampleDistribution one = distribution({5});
   EXPECT_EQ(one.mean, 5.0);
   EXPECT_TRUE(std::isnan(one.deviation));
   EXPECT_EQ(one.q95, 5.0);
 }
 
 TEST(Distribution, KeepsTheDigitsOfASmallSpread) {
-  const Distribution d = distribution({1e9 + 1, 1e9 + 2, 1e9 + 3});
+  const SampleDistribution d = distribution({1e9 + 1, 1e9 + 2, 1e9 + 3});
   EXPECT_DOUBLE_EQ(d.deviation, 1.0);
 }
 
