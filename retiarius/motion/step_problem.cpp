@@ -29,6 +29,11 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
   dy_.assign(n, Vec3::Zero());
   foreseen_.reserve(n);
   for (const auto& law : laws) one_sided_ |= law->one_sided();
+  solver_->keep_parts(one_sided_);
+  if (one_sided_) {
+    diagonal_before_.reserve(n);
+    changed_.reserve(n);
+  }
   body_mass_.assign(bodies.size(), Mat6::Zero());
   body_gradient_.assign(bodies.size(), Vec6::Zero());
   borders_.resize(bodies.size());

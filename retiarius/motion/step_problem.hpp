@@ -143,11 +143,12 @@ class StepProblem final : public NewtonProblem {
   void add_body_blocks();
   void filter_matrix();
   void keep_rows();
-  bool factorise();
-  bool solve_anew();
+  bool factorise(bool again);
+  bool solve_anew(bool again);
   void hold();
   void note_direction();
   bool foresee();
+  void note_changes();
   void start_direction();
   void finish_direction();
   void solve_bordered();
@@ -181,9 +182,11 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec3> slips_before_;       // of each where the last direction began; or empty
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
-  bool one_sided_ = false;      // whether any law is
-  std::vector<Vec3> foreseen_;  // what hold() and foresee() add to the gradient
-  bool led_here_ = false;       // whether the last direction leads to the present iterate
+  bool one_sided_ = false;             // whether any law is
+  std::vector<Vec3> foreseen_;         // what hold() and foresee() add to the gradient
+  std::vector<Mat3> diagonal_before_;  // of the matrix, without what foresee() adds
+  std::vector<Index> changed_;         // nodes with blocks of the matrix that foresee() changed
+  bool led_here_ = false;              // whether the last direction leads to the present iterate
   int foreseen_directions_ = 0;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
   mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()

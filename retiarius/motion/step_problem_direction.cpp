@@ -42,19 +42,30 @@ bool StepProblem::foresee() {
   const bool matters = energy > kForeseen * std::abs(slope());
   if (matters) {
     if (foreseen_.empty()) foreseen_.assign(y_.size(), Vec3::Zero());
+    diagonal_before_ = matrix_.diagonal;
     const Assembly out{&foreseen_, &matrix_, false};
     for (const auto& law : *laws_) law->awaken(base_y_, y_, &out);
+    note_changes();
   }
   move(0.0);
   return matters;
 }
 
+// The nodes whose rows and columns of the matrix awakened threads have changed: what these add to
+// two nodes they add to the diagonal blocks of both. Constrained nodes' are filtered once more.
+void StepProblem::note_changes() {
+  changed_.clear();
+  for (std::size_t i = 0; i < y_.size(); ++i)
+    if (constraint_of_[i] != kNone || matrix_.diagonal[i] != diagonal_before_[i])
+      changed_.push_back(static_cast<Index>(i));
+}
+
 bool StepProblem::find_direction() {
   hold();
-  bool found = solve_anew();
+  bool found = solve_anew(false);
   if (found && foresee()) {
     ++foreseen_directions_;
-    found = solve_anew();
+    found = solve_anew(true);
   }
   foreseen_.clear();  // whether it served or not: it belongs to this direction alone
   if (!found) return false;
@@ -67,18 +78,19 @@ bool StepProblem::find_direction() {
   return true;
 }
 
-bool StepProblem::factorise() {
+// `again`: the matrix differs from the last one in changed_ alone.
+bool StepProblem::factorise(bool again) {
   const Stopwatch watch(times_.factor);
   build_borders();
   if (start_.linear) keep_rows();
   filter_matrix();
-  return active_->factor(matrix_);
+  return again ? active_->refactor(matrix_, changed_) : active_->factor(matrix_);
 }
 
 // The direction for the present gradient and matrix. Bodies' columns and the gradient are solved
 // for together, which costs little more than the one or the other.
-bool StepProblem::solve_anew() {
-  if (!factorise()) return false;
+bool StepProblem::solve_anew(bool again) {
+  if (!factorise(again)) return false;
   const Stopwatch watch(times_.solve);
   start_direction();
   if (touching_.empty()) {

@@ -20,6 +20,17 @@ class LinearSolver {
   // Factorises; false when the matrix is not positive definite (a pivot was not positive).
   virtual bool factor(const BlockMatrix& matrix) = 0;
 
+  // From the next factor() on: whether to keep the partial results that refactor() needs, which may
+  // double the memory. Solvers without use for them ignore it.
+  virtual void keep_parts(bool /*keep*/) {}
+
+  // As factor(), with the same result to the last bit, where the matrix differs from that of the
+  // last call in rows and columns of `changed` alone (in any order, also several times each). What
+  // does not depend on those stays where parts are kept and the last call succeeded.
+  virtual bool refactor(const BlockMatrix& matrix, const std::vector<Index>& /*changed*/) {
+    return factor(matrix);
+  }
+
   // Solves in place for one right-hand side, or for several, one after the other in x: up to eight
   // of them cost little more than one, and a solution does not depend on the others that it is
   // found with, though one found alone may differ by rounding. Throws Error unless the last

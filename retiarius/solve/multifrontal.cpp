@@ -31,14 +31,21 @@ class MultifrontalSolver : public LinearSolver {
   std::string_view name() const override { return "multifrontal"; }
 
   void analyse(const BlockPattern& pattern) override;
-  bool factor(const BlockMatrix& matrix) override;
+  bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
+  void keep_parts(bool keep) override { keeps_parts_ = keep; }
+  bool refactor(const BlockMatrix& matrix, const std::vector<Index>& changed) override {
+    return factor(matrix, &changed);
+  }
   void solve(std::vector<Vec3>& x) const override;
 
   double factor_entries() const override { return symbolic_.entries; }
   double factor_flops() const override { return symbolic_.flops; }
 
  private:
+  bool factor(const BlockMatrix& matrix, const std::vector<Index>* changed);
+  void mark_changes(const std::vector<Index>& changed);
   bool parallel() const { return threads() > 1 && symbolic_.tasks.size() > 1; }
+  void place_kept();
   void reserve_updates();
   bool factor_serial();
   bool factor_parallel();
@@ -60,15 +67,23 @@ class MultifrontalSolver : public LinearSolver {
 
   // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
+    if (keeps_parts_) return kept_.data() + kept_updates_[&front - symbolic_.fronts.data()];
     if (!side_by_side_) return serial_.data() + front.update;
     return (front.update_shared ? shared_.data() : memory) + front.task_update;
   }
 
   Symbolic symbolic_;
   std::vector<Index> position_;  // of each block in the order of elimination
+  std::vector<Index> front_of_;  // of each position, the front that eliminates it
   Index pairs_ = 0;
   bool analysed_ = false, factored_ = false;
   AlignedArray factor_, serial_, shared_, tasks_;
+  bool keeps_parts_ = false;
+  AlignedArray kept_;  // all updates
+  std::size_t kept_size_ = 0;
+  std::vector<std::size_t> kept_updates_;  // where each front's begins
+  bool has_parts_ = false;
+  std::vector<char> is_changed_;            // whether each front depends on a block that changed
   mutable AlignedArray front_vector_;       // of the top, then one a task
   std::vector<std::size_t> front_vectors_;  // where those of the tasks begin
   std::vector<Index> sum_rows_;             // see place_sums()
@@ -82,21 +97,28 @@ class MultifrontalSolver : public LinearSolver {
 };
 
 void MultifrontalSolver::analyse(const BlockPattern& pattern) {
-  factored_ = false;
+  factored_ = has_parts_ = false;
   symbolic_ = analyse_fronts(pattern);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
-  for (AlignedArray* memory : {&serial_, &shared_, &tasks_}) memory->resize(0);
+  for (AlignedArray* memory : {&serial_, &shared_, &tasks_, &kept_}) memory->resize(0);
+  place_kept();
   reserve_updates();
   place_sums();
   position_.resize(symbolic_.order.size());
   for (std::size_t k = 0; k < position_.size(); ++k) {
     position_[symbolic_.order[k]] = static_cast<Index>(k);
   }
+  front_of_.resize(position_.size());
+  for (std::size_t f = 0; f < symbolic_.fronts.size(); ++f) {
+    const auto first = front_of_.begin() + symbolic_.fronts[f].first;
+    std::fill_n(first, symbolic_.fronts[f].columns, static_cast<Index>(f));
+  }
   analysed_ = true;
 }
 
-bool MultifrontalSolver::factor(const BlockMatrix& matrix) {
+// All of it, or the fronts that depend on what changed.
+bool MultifrontalSolver::factor(const BlockMatrix& matrix, const std::vector<Index>* changed) {
   if (!analysed_) throw Error("factor() needs analyse() before it");
   if (matrix.diagonal.size() != symbolic_.order.size() ||
       matrix.below.size() != static_cast<std::size_t>(pairs_)) {
@@ -105,18 +127,43 @@ bool MultifrontalSolver::factor(const BlockMatrix& matrix) {
                     "{} and {}; analyse its pattern first",
                     matrix.diagonal.size(), matrix.below.size(), symbolic_.order.size(), pairs_));
   }
+  const bool again = changed && has_parts_;
+  is_changed_.assign(symbolic_.fronts.size(), again ? 0 : 1);
+  if (again) mark_changes(*changed);
   matrix_ = &matrix;
   kernels_ = &kernels::active();
   reserve_updates();
   side_by_side_ = parallel();
   factored_ = side_by_side_ ? factor_parallel() : factor_serial();
   matrix_ = nullptr;
+  has_parts_ = keeps_parts_ && factored_;
   return factored_;
+}
+
+// A front depends on what is in its pivot columns and on its children, which come before it.
+void MultifrontalSolver::mark_changes(const std::vector<Index>& changed) {
+  for (const Index block : changed) is_changed_[front_of_[position_[block]]] = 1;
+  for (std::size_t f = 0; f < symbolic_.fronts.size(); ++f) {
+    const Index parent = symbolic_.fronts[f].parent;
+    if (is_changed_[f] && parent != kNone) is_changed_[parent] = 1;
+  }
+}
+
+void MultifrontalSolver::place_kept() {
+  kept_updates_.clear();
+  kept_size_ = 0;
+  for (const Front& front : symbolic_.fronts) {
+    kept_updates_.push_back(kept_size_);
+    kept_size_ +=
+        static_cast<std::size_t>(front.update_ld) * static_cast<std::size_t>(front.rows_below());
+  }
 }
 
 // Does nothing when the memory is there already.
 void MultifrontalSolver::reserve_updates() {
-  if (parallel()) {
+  if (keeps_parts_) {
+    kept_.resize(kept_size_);
+  } else if (parallel()) {
     shared_.resize(symbolic_.shared_size);
     tasks_.resize(symbolic_.tasks_size);
   } else {
@@ -126,8 +173,8 @@ void MultifrontalSolver::reserve_updates() {
 
 bool MultifrontalSolver::factor_serial() {
   const FlushDenormals flush;
-  for (const Front& front : symbolic_.fronts) {
-    if (!factor_front(front, nullptr, false)) return false;
+  for (std::size_t f = 0; f < symbolic_.fronts.size(); ++f) {
+    if (is_changed_[f] && !factor_front(symbolic_.fronts[f], nullptr, false)) return false;
   }
   return true;
 }
@@ -146,6 +193,7 @@ bool MultifrontalSolver::factor_parallel() {
 
 void MultifrontalSolver::factor_above(Index f) {
   const Front& front = symbolic_.fronts[f];
+  if (!is_changed_[f]) return;
   if (front.task != kNone) return factor_task(front.task);
   tbb::task_group group;
   for (std::size_t c = front.child_begin; c < front.child_end; ++c) {
@@ -161,7 +209,8 @@ void MultifrontalSolver::factor_task(Index t) {
   const FlushDenormals flush;
   const FrontTask& task = symbolic_.tasks[t];
   for (Index f = task.begin; f < task.end && !failed_; ++f) {
-    if (!factor_front(symbolic_.fronts[f], tasks_.data() + task.offset, false)) failed_ = true;
+    if (is_changed_[f] && !factor_front(symbolic_.fronts[f], tasks_.data() + task.offset, false))
+      failed_ = true;
   }
 }
 

@@ -32,12 +32,19 @@ class PieceSolver : public LinearSolver {
     return always_ || with_pieces_ ? "pieces" : rest_->name();
   }
   void analyse(const BlockPattern& pattern) override;
-  bool factor(const BlockMatrix& matrix) override;
+  bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
+  void keep_parts(bool keep) override;
+  bool refactor(const BlockMatrix& matrix, const std::vector<Index>& changed) override {
+    return factor(matrix, &changed);
+  }
   void solve(std::vector<Vec3>& x) const override;
   double factor_entries() const override { return rest_->factor_entries() + batches_.entries; }
   double factor_flops() const override { return rest_->factor_flops() + batches_.flops; }
 
  private:
+  bool factor(const BlockMatrix& matrix, const std::vector<Index>* changed);
+  void number_batches();
+  void mark_changes(const std::vector<Index>& changed);
   bool eliminate(const BlockMatrix& matrix);
   void assemble_rest(const BlockMatrix& matrix);
   void solve_one(Vec3* x) const;
@@ -61,6 +68,10 @@ class PieceSolver : public LinearSolver {
   Index blocks_ = 0, pairs_ = 0;
   AlignedArray values_;
   BlockMatrix rest_matrix_;
+  bool keeps_parts_ = false, has_parts_ = false;
+  std::vector<Index> batch_of_;   // of each block, or kNone
+  std::vector<char> is_changed_;  // whether each batch depends on a block that changed
+  std::vector<Index> rest_changed_;
   std::atomic<bool> failed_ = false;
   mutable AlignedArray vectors_;
   mutable std::vector<Vec3> rest_vector_;
@@ -72,7 +83,7 @@ bool pays(const PieceBatches& batches, Index blocks) {
 }
 
 void PieceSolver::analyse(const BlockPattern& pattern) {
-  analysed_ = factored_ = false;
+  analysed_ = factored_ = has_parts_ = false;
   blocks_ = pattern.blocks();
   pairs_ = pattern.pairs();
   const Graph graph = block_graph(pattern);
@@ -87,13 +98,30 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
     vectors_.resize(batches_.vector_size);
     rest_matrix_.reset(batches_.rest);
     rest_vector_.assign(batches_.kept.size(), Vec3::Zero());
+    number_batches();
   }
   analysed_ = true;
 }
 
-bool PieceSolver::factor(const BlockMatrix& matrix) {
+void PieceSolver::number_batches() {
+  batch_of_.assign(static_cast<std::size_t>(blocks_), kNone);
+  for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+    const PieceBatch& batch = batches_.batches[b];
+    const Index* node = batches_.nodes.data() + batch.nodes;
+    for (Index c = 0; c < batches_.shapes[batch.shape].columns; ++c, node += kLanes)
+      for (int lane = 0; lane < batch.lanes; ++lane) batch_of_[node[lane]] = static_cast<Index>(b);
+  }
+}
+
+void PieceSolver::keep_parts(bool keep) {
+  keeps_parts_ = keep;
+  rest_->keep_parts(keep);
+}
+
+// All of it, or what depends on blocks that changed.
+bool PieceSolver::factor(const BlockMatrix& matrix, const std::vector<Index>* changed) {
   if (!analysed_) throw Error("factor() needs analyse() before it");
-  if (!with_pieces_) return rest_->factor(matrix);
+  if (!with_pieces_) return changed ? rest_->refactor(matrix, *changed) : rest_->factor(matrix);
   if (matrix.diagonal.size() != static_cast<std::size_t>(blocks_) ||
       matrix.below.size() != static_cast<std::size_t>(pairs_)) {
     throw Error(
@@ -101,11 +129,38 @@ bool PieceSolver::factor(const BlockMatrix& matrix) {
                     "{} and {}; analyse its pattern first",
                     matrix.diagonal.size(), matrix.below.size(), blocks_, pairs_));
   }
+  const bool again = changed && has_parts_;
+  if (again)
+    mark_changes(*changed);
+  else
+    is_changed_.assign(batches_.batches.size(), 1);
+  has_parts_ = false;
   factored_ = eliminate(matrix);
   if (!factored_) return false;
   assemble_rest(matrix);
-  factored_ = rest_->factor(rest_matrix_);
+  factored_ = again ? rest_->refactor(rest_matrix_, rest_changed_) : rest_->factor(rest_matrix_);
+  has_parts_ = keeps_parts_ && factored_;
   return factored_;
+}
+
+// Batches that depend on the blocks given, and blocks of the rest that depend on either.
+void PieceSolver::mark_changes(const std::vector<Index>& changed) {
+  is_changed_.assign(batches_.batches.size(), 0);
+  rest_changed_.clear();
+  for (const Index block : changed) {
+    if (batches_.place[block] != kNone)
+      rest_changed_.push_back(batches_.place[block]);
+    else
+      is_changed_[batch_of_[block]] = 1;
+  }
+  for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+    if (!is_changed_[b]) continue;
+    const PieceBatch& batch = batches_.batches[b];
+    const PieceShape& shape = batches_.shapes[batch.shape];
+    const Index* node = batches_.nodes.data() + batch.nodes + shape.columns * kLanes;
+    for (Index p = 0; p < shape.border; ++p, node += kLanes)
+      rest_changed_.insert(rest_changed_.end(), node, node + batch.lanes);
+  }
 }
 
 bool PieceSolver::eliminate(const BlockMatrix& matrix) {
@@ -114,7 +169,7 @@ bool PieceSolver::eliminate(const BlockMatrix& matrix) {
   const double* const diagonal = matrix.diagonal.front().data();
   const double* const below = matrix.below.empty() ? nullptr : matrix.below.front().data();
   each_batch([&](std::size_t b) {
-    if (failed_) return;
+    if (failed_ || !is_changed_[b]) return;
     const PieceBatch& batch = batches_.batches[b];
     double* const values = values_.data() + batch.values;
     kernel.gather(plan(batch), batches_.sources.data() + batch.sources, batch.lanes, diagonal,

@@ -47,6 +47,38 @@ TEST_F(Determinism, ThreadsDoNotChangeABit) {
   }
 }
 
+TEST_F(Determinism, ThreadsDoNotChangeABitOfWhatIsRefactored) {
+  for (const auto make : {make_multifrontal_solver, make_piece_solver}) {
+    for (const BlockPattern& pattern : {test::hexagon_net(14, 1), test::hexagon_net(8, 4)}) {
+      BlockMatrix matrix = test::random_matrix(pattern, 92);
+      BlockMatrix changed = matrix;
+      std::vector<Index> where;
+      for (Index k = 0; k < pattern.blocks(); k += 97) {
+        changed.diagonal[k] *= 1.5;
+        where.push_back(k);
+      }
+      const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 93);
+      std::vector<Vec3> expected = b;
+      set_threads(1);
+      const auto serial = make();
+      serial->analyse(pattern);
+      ASSERT_TRUE(serial->factor(changed));
+      serial->solve(expected);
+      const auto solver = make();
+      solver->keep_parts(true);
+      solver->analyse(pattern);
+      for (const int count : {1, 2, 4, 1}) {
+        set_threads(count);
+        ASSERT_TRUE(solver->factor(matrix));
+        ASSERT_TRUE(solver->refactor(changed, where));
+        std::vector<Vec3> x = b;
+        solver->solve(x);
+        EXPECT_EQ(x, expected) << count;
+      }
+    }
+  }
+}
+
 TEST_F(Determinism, ThreadsDoNotChangeConjugateGradients) {
   const BlockPattern pattern = test::hexagon_net(20, 2);
   const BlockMatrix matrix = test::random_matrix(pattern, 95);

@@ -101,6 +101,54 @@ TEST_P(LinearSolverTest, RefusesLargeOrBrokenCouplings) {
   EXPECT_TRUE(solver->factor(good));
 }
 
+// Whatever changed since, and whether parts were kept or not.
+TEST_P(LinearSolverTest, RefactorsToTheSameBits) {
+  const auto fresh = [&](const BlockMatrix& matrix, std::vector<Vec3> x) {
+    const auto other = GetParam().make();
+    other->analyse(*matrix.pattern);
+    EXPECT_TRUE(other->factor(matrix));
+    other->solve(x);
+    return x;
+  };
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    if (pattern.blocks() == 0) continue;
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 36);
+    for (const bool keep : {true, false}) {
+      BlockMatrix matrix = test::random_matrix(pattern, 37);
+      solver->keep_parts(keep);
+      solver->analyse(pattern);
+      ASSERT_TRUE(solver->refactor(matrix, {})) << name;  // nothing to go on from
+      const auto check = [&](const std::vector<Index>& changed) {
+        ASSERT_TRUE(solver->refactor(matrix, changed)) << name;
+        std::vector<Vec3> x = b;
+        solver->solve(x);
+        EXPECT_EQ(x, fresh(matrix, b)) << name << " keep " << keep;
+      };
+      check({});
+      for (const Index where : {Index{0}, pattern.blocks() / 2, pattern.blocks() - 1}) {
+        matrix.diagonal[where] *= 1.25;
+        check({where});
+      }
+      for (Index column = 0; column < pattern.blocks(); column += 1 + pattern.blocks() / 5) {
+        for (Index s = pattern.starts()[column]; s < pattern.starts()[column + 1]; ++s) {
+          matrix.below[s] *= 0.75;
+          check({pattern.rows()[s], column, column});
+        }
+      }
+      const Index middle = pattern.blocks() / 2;
+      const Mat3 good = matrix.diagonal[middle];
+      matrix.diagonal[middle] *= -1.0;
+      EXPECT_FALSE(solver->refactor(matrix, {middle})) << name;
+      matrix.diagonal[middle] = good;
+      check({});
+      matrix = test::random_matrix(pattern, 38);
+      ASSERT_TRUE(solver->factor(matrix)) << name;
+      matrix.diagonal[middle] *= 2.0;
+      check({middle});
+    }
+  }
+}
+
 TEST_P(LinearSolverTest, TakesOneOrderAfterAnother) {
   for (const Index blocks : {30, 5, 80}) {
     const BlockPattern pattern = test::chain(blocks, 2);
