@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostChange = 50.0;    // of a force that is foretold, over the present one
 constexpr double kGapAccuracy = 1e-12;  // of gaps and their forces
 constexpr double kSameGap = 1e-6;       // apart; nearer ones have a slope of round-off
-constexpr int kMostBisections = 200;
+constexpr int kMostTrials = 200;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ double gap_of_force(double force, double range) {
   if (!(force > 0.0)) return range;
   // The force is convex and falls: Newton's steps from its left side stay there.
   double low = 0.0, high = range, gap = 0.5 * range;
-  for (int i = 0; i < kMostBisections && high - low > kGapAccuracy * high; ++i) {
+  for (int i = 0; i < kMostTrials && high - low > kGapAccuracy * high; ++i) {
     const Jet b = barrier(gap, range);
     const double excess = -b.first - force;
     if (std::abs(excess) <= kGapAccuracy * force) break;

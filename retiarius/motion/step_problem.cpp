@@ -102,7 +102,7 @@ void StepProblem::begin(Start start) {
   project_guess();
   held_.assign(mass_.size(), false);
   for (const Constraint& c : constraints_) held_[c.node] = true;
-  if (one_sided_ && !start_.contact && !start_.linear) relax(y_);
+  if (foresees()) relax(y_);
   led_here_ = false;
   if (one_sided_ && !start_.linear)
     for (const auto& law : *laws_) law->foretell(step.start->x, step.start->x);

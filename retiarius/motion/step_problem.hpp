@@ -147,6 +147,7 @@ class StepProblem final : public NewtonProblem {
   bool solve_anew(bool again);
   void hold();
   void note_direction();
+  bool foresees() const;
   bool foresee();
   void note_changes();
   void start_direction();

@@ -16,12 +16,14 @@ constexpr double kForeseen = 0.5;
 
 }  // namespace
 
+// Not where constraints follow bodies: these are eliminated from the matrix in place, once.
+bool StepProblem::foresees() const { return one_sided_ && !start_.contact && !start_.linear; }
+
 // What the last direction foresaw to act is taken for active from the start, as in the quadratic
 // models of an active-set method, although the present iterate may lie a little to its other side.
 void StepProblem::hold() {
   foreseen_.clear();
-  // Constraints that follow bodies are eliminated from the matrix in place, once.
-  if (!one_sided_ || start_.contact || start_.linear) return;
+  if (!foresees()) return;
   const Stopwatch watch(times_.assembly);
   foreseen_.assign(y_.size(), Vec3::Zero());
   const Assembly out{&foreseen_, &matrix_, false};
@@ -34,7 +36,7 @@ void StepProblem::hold() {
 // them, and the potential rises. These are then taken for taut as well, and the direction is looked
 // for once more.
 bool StepProblem::foresee() {
-  if (!one_sided_ || start_.contact || start_.linear) return false;
+  if (!foresees()) return false;
   const Stopwatch watch(times_.assembly);
   move(1.0);
   double energy = 0.0;

@@ -20,7 +20,7 @@ class LinearSolver {
   // Factorises; false when the matrix is not positive definite (a pivot was not positive).
   virtual bool factor(const BlockMatrix& matrix) = 0;
 
-  // From the next factor() on: whether to keep the partial results that refactor() needs, which may
+  // Whether to keep the partial results that refactor() needs, from the next factor() on; they may
   // double the memory. Solvers without use for them ignore it.
   virtual void keep_parts(bool /*keep*/) {}
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstring>
 #include <memory>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -32,7 +33,10 @@ class MultifrontalSolver : public LinearSolver {
 
   void analyse(const BlockPattern& pattern) override;
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
-  void keep_parts(bool keep) override { keeps_parts_ = keep; }
+  void keep_parts(bool keep) override {
+    keeps_parts_ = keep;
+    has_parts_ = has_parts_ && keep;
+  }
   bool refactor(const BlockMatrix& matrix, const std::vector<Index>& changed) override {
     return factor(matrix, &changed);
   }
@@ -233,7 +237,7 @@ void MultifrontalSolver::assemble(const Front& front, double* panel) const {
   std::memset(panel, 0, sizeof(double) * ld * static_cast<std::size_t>(front.pivots()));
   for (Index k = 0; k < front.columns; ++k) {
     const double* from = matrix_->diagonal[symbolic_.order[front.first + k]].data();
-    double* to = panel + 3 * k * (ld + 1);
+    double* to = panel + 3L * k * (ld + 1);
     for (int c = 0; c < 3; ++c, to += ld, from += 3) std::memcpy(to, from, 3 * sizeof(double));
   }
   for (std::size_t i = front.straight; i < front.transposed; ++i) {
@@ -361,14 +365,14 @@ void MultifrontalSolver::add_sums(double* all, std::size_t width) const {
 }
 
 void MultifrontalSolver::forward(const Front& front, double* all, double* w) const {
-  double* const own = all + 3 * front.first;
+  double* const own = all + 3L * front.first;
   const auto pivots = static_cast<std::size_t>(front.pivots());
   std::memcpy(w, own, sizeof(double) * pivots);
   std::memset(w + pivots, 0, sizeof(double) * (static_cast<std::size_t>(front.ld) - pivots));
   kernels::active().forward(factor_.data() + front.panel, front.ld, front.pivots(), w, own);
   const double* from = w + front.pivot_rows;
   for (Index b = 0; b < front.below; ++b, from += 3) {
-    double* to = all + 3 * sum_rows_[front.rows + b];
+    double* to = all + 3L * sum_rows_[front.rows + b];
     for (int i = 0; i < 3; ++i) to[i] += from[i];
   }
 }
@@ -377,12 +381,12 @@ void MultifrontalSolver::backward(const Front& front, double* all, double* w) co
   std::memset(w, 0, sizeof(double) * static_cast<std::size_t>(front.pivot_rows));
   double* to = w + front.pivot_rows;
   for (Index b = 0; b < front.below; ++b, to += 3) {
-    const double* from = all + 3 * symbolic_.rows[front.rows + b];
+    const double* from = all + 3L * symbolic_.rows[front.rows + b];
     for (int i = 0; i < 3; ++i) to[i] = from[i];
   }
   std::fill(to, w + front.ld, 0.0);
   kernels::active().backward(factor_.data() + front.panel, front.ld, front.pivots(), w,
-                             all + 3 * front.first);
+                             all + 3L * front.first);
 }
 
 void MultifrontalSolver::solve_one(Vec3* x) const {
@@ -399,8 +403,8 @@ void MultifrontalSolver::solve_one(Vec3* x) const {
   });
   add_sums(all, 3);
   for (const Index f : symbolic_.top) forward(fronts[f], all, front_vector_.data());
-  for (auto f = symbolic_.top.rbegin(); f != symbolic_.top.rend(); ++f)
-    backward(fronts[*f], all, front_vector_.data());
+  for (const Index f : std::views::reverse(symbolic_.top))
+    backward(fronts[f], all, front_vector_.data());
   each_task([&](std::size_t t) {
     const FrontTask& task = symbolic_.tasks[t];
     double* const w = front_vector_.data() + front_vectors_[t];
@@ -445,8 +449,8 @@ void MultifrontalSolver::solve_together(Vec3* x, std::size_t count) const {
   });
   add_sums(all, 3 * kLanes);
   for (const Index f : symbolic_.top) kernel.forward_lanes(sweep(f, sum_rows_));
-  for (auto f = symbolic_.top.rbegin(); f != symbolic_.top.rend(); ++f)
-    kernel.backward_lanes(sweep(*f, symbolic_.rows));
+  for (const Index f : std::views::reverse(symbolic_.top))
+    kernel.backward_lanes(sweep(f, symbolic_.rows));
   each_task([&](std::size_t t) {
     const FrontTask& task = symbolic_.tasks[t];
     for (Index f = task.end; f-- > task.begin;) kernel.backward_lanes(sweep(f, symbolic_.rows));

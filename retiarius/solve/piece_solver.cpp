@@ -115,6 +115,7 @@ void PieceSolver::number_batches() {
 
 void PieceSolver::keep_parts(bool keep) {
   keeps_parts_ = keep;
+  has_parts_ = has_parts_ && keep;
   rest_->keep_parts(keep);
 }
 

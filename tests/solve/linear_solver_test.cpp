@@ -145,6 +145,9 @@ TEST_P(LinearSolverTest, RefactorsToTheSameBits) {
       ASSERT_TRUE(solver->factor(matrix)) << name;
       matrix.diagonal[middle] *= 2.0;
       check({middle});
+      solver->keep_parts(!keep);
+      matrix.diagonal[middle] *= 2.0;
+      check({middle});
     }
   }
 }
