@@ -73,9 +73,9 @@ void transfer(Archive& archive, PairContact& contact);
 // et al. 2021): every pair of primitives whose surfaces are nearer than the range r has the energy
 //   E = k m(edges) b(g),   g = distance - thickness,
 // with the barrier b of barrier_function.hpp, infinite where surfaces meet, and m the weight of
-// nearly parallel edges. The stiffness is chosen by scale, k = m_red / h^2 + EA / (1000 r), with
+// nearly parallel edges. The stiffness is chosen by scale, k = m_red / h^2 + EA / (1e5 r), with
 // the reduced mass of the two primitives: what stops a node within a step, and what carries a
-// thread strained by a thousandth, both within the range.
+// thread strained by 1e-5, both within the range. More load takes surfaces nearer to each other.
 //
 // Friction is Coulomb's made smooth, with normal forces and directions of the last round: those of
 // the step's start first, then those foretold while it is solved, and those of the solution, until
@@ -86,9 +86,10 @@ class BarrierContact {
   BarrierContact(const Network& network, const std::vector<Body>& bodies, const ContactSpec& spec,
                  double step);
 
-  // Starts a step from its start state. Throws RunError, naming the pair, where anything
+  // Starts a step from its start state. The time spent on looking for what may touch is added to
+  // `search_time`, s, until the next call. Throws RunError, naming the pair, where anything
   // interpenetrates there.
-  void begin(const Step& step);
+  void begin(const Step& step, double& search_time);
 
   // Finds what may come near on the way from `from` to `to`, and returns the share of it, in (0,
   // 1], on which nothing comes nearer than a tenth of its present gap. All evaluations until the
@@ -105,9 +106,11 @@ class BarrierContact {
   // By how much forces may be wrong for rounding of the places, N, at the last evaluation.
   double force_round_off() const { return force_round_off_; }
 
-  // The pairs of nodes (smaller first, ascending, unique) that threads couple at a place whose gap
-  // is below `reach` times the range, or that friction joins in this round.
-  std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, double reach) const;
+  // The pairs of nodes (smaller first, ascending, unique) that threads couple at a place: those
+  // within the range, or in reach of it where these are wanted too, and those that friction joins
+  // in this round.
+  enum class Coupled { in_range, in_reach };
+  std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, Coupled which) const;
 
   // Notes a direction from the place last evaluated, with second derivatives, to another. The next
   // Hessian takes each pair's barrier as its force at the end of the direction, foretold by the
@@ -127,7 +130,6 @@ class BarrierContact {
   // The contacts at a place, friction by the last round's normal forces.
   void contacts(const ContactPlaces& at, std::vector<PairContact>& result);
 
-  double search_time() const { return search_time_; }  // for what may touch, since the start, s
   // Whether bodies touch nothing, from the next step on; threads touch each other all the same.
   void leave_bodies_out(bool out) { broad_->leave_bodies_out(out); }
   bool touches_itself() const { return spec_.self; }
@@ -248,9 +250,9 @@ class BarrierContact {
   std::vector<BodyPlace> body_places_;
   std::vector<Foretold> foretold_, next_foretold_;  // as the pairs are ordered
   std::vector<Sliding> sliding_, next_sliding_;
-  std::vector<Vec3> no_turns_;  // of each body
-  int rounds_ = 0;  // of friction in this step
-  double search_time_ = 0.0;
+  std::vector<Vec3> no_turns_;     // of each body
+  int rounds_ = 0;                 // of friction in this step
+  double* search_time_ = nullptr;  // see begin()
   double force_round_off_ = 0.0;
 };
 

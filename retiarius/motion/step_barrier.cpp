@@ -6,13 +6,6 @@
 
 namespace retiarius {
 
-namespace {
-
-// Threads this many barrier ranges apart are taken into the pattern when it grows.
-constexpr double kNearReach = 8.0;
-
-}  // namespace
-
 void StepProblem::find_end(End& end) const {
   const Step& step = *start_.step;
   end.nodes.resize(y_.size());
@@ -21,12 +14,6 @@ void StepProblem::find_end(End& end) const {
   end_bodies(end.bodies);
   end.turns.resize(b_.size());
   for (std::size_t b = 0; b < b_.size(); ++b) end.turns[b] = step.reach * b_[b].tail<3>();
-}
-
-WorkTimes StepProblem::work_times() const {
-  WorkTimes times = times_;
-  if (start_.barrier) times.search = start_.barrier->search_time();
-  return times;
 }
 
 double StepProblem::add_barrier(Assembly& out) {
@@ -53,9 +40,9 @@ double StepProblem::add_barrier(Assembly& out) {
 void StepProblem::grow_pattern() {
   const Stopwatch all(times_.assembly), watch(times_.contact);
   find_end(end_);
-  const auto needed = start_.barrier->couplings(end_.places(), 1.0);
+  const auto needed = start_.barrier->couplings(end_.places(), BarrierContact::Coupled::in_range);
   if (std::includes(couplings_.begin(), couplings_.end(), needed.begin(), needed.end())) return;
-  couple(start_.barrier->couplings(end_.places(), kNearReach));
+  couple(start_.barrier->couplings(end_.places(), BarrierContact::Coupled::in_reach));
 }
 
 void StepProblem::couple(std::vector<std::pair<Index, Index>> couplings) {

@@ -42,6 +42,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
 // Everything that depends on the pattern.
 void StepProblem::use_pattern() {
   matrix_.pattern = nullptr;
+  solver_->expect_changes(!couplings_.empty());
   solver_->analyse(pattern_);
   if (gradients_) gradients_->analyse(pattern_);
   bind_laws();
@@ -110,7 +111,7 @@ void StepProblem::begin(Start start) {
   node_body_.clear();
   body_body_.clear();
   if (start_.barrier) {
-    start_.barrier->begin(step);
+    start_.barrier->begin(step, times_.search);
     free_guess();
   }
 }

@@ -96,7 +96,7 @@ class StepProblem final : public NewtonProblem {
   const BlockPattern& pattern() const { return pattern_; }
   const LinearSolver& direct_solver() const { return *solver_; }
   // Of these the search is part of contact, and contact forces are part of assembly.
-  WorkTimes work_times() const;
+  const WorkTimes& work_times() const { return times_; }
   // K^-1 M x with the matrix last factorised and inertia M, zero along blocked directions; bodies
   // stay where they are.
   void filter(std::vector<Vec3>& x) const;

@@ -32,6 +32,7 @@ class MultifrontalSolver : public LinearSolver {
   std::string_view name() const override { return "multifrontal"; }
 
   void analyse(const BlockPattern& pattern) override;
+  void expect_changes(bool soon) override { trials_ = soon ? 1 : kOrderTrials; }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override {
     keeps_parts_ = keep;
@@ -76,6 +77,7 @@ class MultifrontalSolver : public LinearSolver {
     return (front.update_shared ? shared_.data() : memory) + front.task_update;
   }
 
+  int trials_ = kOrderTrials;
   Symbolic symbolic_;
   std::vector<Index> position_;  // of each block in the order of elimination
   std::vector<Index> front_of_;  // of each position, the front that eliminates it
@@ -102,7 +104,7 @@ class MultifrontalSolver : public LinearSolver {
 
 void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   factored_ = has_parts_ = false;
-  symbolic_ = analyse_fronts(pattern);
+  symbolic_ = analyse_fronts(pattern, trials_);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
   for (AlignedArray* memory : {&serial_, &shared_, &tasks_, &kept_}) memory->resize(0);

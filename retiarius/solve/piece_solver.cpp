@@ -32,6 +32,7 @@ class PieceSolver : public LinearSolver {
     return always_ || with_pieces_ ? "pieces" : rest_->name();
   }
   void analyse(const BlockPattern& pattern) override;
+  void expect_changes(bool soon) override { rest_->expect_changes(soon); }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override;
   bool refactor(const BlockMatrix& matrix, const std::vector<Index>& changed) override {

@@ -177,9 +177,8 @@ Symbolic analyse_fronts(const BlockPattern& pattern, const std::vector<Index>& o
   return analyse_tree(pattern, graph, elimination_tree(graph, order));
 }
 
-Symbolic analyse_fronts(const BlockPattern& pattern) {
+Symbolic analyse_fronts(const BlockPattern& pattern, int trials) {
   constexpr Index kSmall = 1500;  // blocks up to which minimum degree may win
-  constexpr int kSeeds = 3;       // the spread between seeds is a few per cent
   const Graph graph = block_graph(pattern);
   EliminationTree best;
   double lowest = std::numeric_limits<double>::infinity();
@@ -192,7 +191,7 @@ Symbolic analyse_fronts(const BlockPattern& pattern) {
     }
   };
   if (graph.size() <= kSmall) compare(minimum_degree(graph));
-  for (int seed = 1; seed <= kSeeds; ++seed) compare(nested_dissection(graph, seed));
+  for (int seed = 1; seed <= trials; ++seed) compare(nested_dissection(graph, seed));
   return analyse_tree(pattern, graph, best);
 }
 

@@ -55,6 +55,22 @@ TEST(BarrierRest, ABallCarriesTheNetsWeight) {
     EXPECT_GT(sim.state().x[i].norm(), 0.204) << i;
 }
 
+// What a phase spent on looking for contacts is not lost when the next one sets up its own.
+TEST(BarrierTimes, CountFromTheStartThroughPhases) {
+  const Network net = two_masses({0, 0, 2.5e-3});
+  const std::vector<Body> bodies{fixed_plane()};
+  Simulation sim(net, bodies, initial_state(net, bodies));
+  double before = 0.0;
+  for (int phase = 0; phase < 3; ++phase) {
+    sim.configure({kGravity, 0.0}, steps(0.01), barriers());
+    EXPECT_EQ(sim.work_times().search, before);
+    run(sim, 0.01, 20);
+    EXPECT_GT(sim.work_times().search, before);
+    EXPECT_LE(sim.work_times().search, sim.work_times().contact);
+    before = sim.work_times().search;
+  }
+}
+
 // A thread half round a fixed drum, 1 kg on its light end, dragged over it steadily at `speed` by
 // its other end.
 double tension_ratio(double friction, int wrap) {

@@ -38,7 +38,7 @@ class Scene {
         pattern_.couple(static_cast<Index>(i), static_cast<Index>(j));
     pattern_.finish();
     contact_.emplace(net_, bodies_, spec_, step_.h);
-    contact_->begin(step_);
+    contact_->begin(step_, search_time_);
   }
 
   Eigen::Index unknowns() const {
@@ -101,7 +101,7 @@ class Scene {
     std::vector<Vec3> x = state_.x;
     for (std::size_t i : {14u, 15u}) x[i].z() += height;
     const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
-    return contact_->couplings({&x, &state_.bodies, &turns}, 1.0);
+    return contact_->couplings({&x, &state_.bodies, &turns}, BarrierContact::Coupled::in_range);
   }
   std::vector<PairContact> contacts() {
     const std::vector<Vec3> turns(bodies_.size(), Vec3::Zero());
@@ -212,6 +212,7 @@ class Scene {
   Step step_;
   BlockPattern pattern_{20};
   std::optional<BarrierContact> contact_;
+  double search_time_ = 0.0;
 };
 
 // A displacement that slips everything by some slip, in [-1, 1] times `size`.
@@ -333,7 +334,8 @@ TEST(Barrier, HessianLeadsToTheGapOfTheForetoldForce) {
   ContactSpec spec = barriers();
   spec.gap = range;
   BarrierContact contact(net, bodies, spec, step.h);
-  contact.begin(step);
+  double search_time = 0.0;
+  contact.begin(step, search_time);
   BlockPattern pattern(2);
   pattern.couple(1, 0);
   pattern.finish();

@@ -60,6 +60,16 @@ TEST(Symbolic, CountsMatchBruteForce) {
   }
 }
 
+TEST(Symbolic, PatternsThatChangeSoonTakeTheFirstOrder) {
+  const BlockPattern pattern = test::hexagon_net(8, 4);
+  const auto solver = make_multifrontal_solver();
+  for (const bool soon : {true, false, true}) {
+    solver->expect_changes(soon);
+    solver->analyse(pattern);
+    EXPECT_EQ(solver->factor_flops(), analyse_fronts(pattern, soon ? 1 : kOrderTrials).flops);
+  }
+}
+
 TEST(Symbolic, FrontsCoverEveryBlockOnceAndChildrenFitTheirParents) {
   for (const auto& [name, pattern] : test::all_patterns()) {
     const Symbolic s = analyse_fronts(pattern);
