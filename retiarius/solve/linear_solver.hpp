@@ -17,8 +17,8 @@ class LinearSolver {
   // Symbolic work: ordering, elimination tree, storage. Needed once for each pattern.
   virtual void analyse(const BlockPattern& pattern) = 0;
 
-  // Whether the next patterns will follow each other soon: then analyse() takes the first good order
-  // instead of the best of several. Solvers without such a choice ignore it.
+  // Whether the next patterns will follow each other soon: then analyse() takes the first good
+  // order instead of the best of several. Solvers without such a choice ignore it.
   virtual void expect_changes(bool /*soon*/) {}
 
   // Factorises; false when the matrix is not positive definite (a pivot was not positive).
