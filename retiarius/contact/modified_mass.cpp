@@ -10,11 +10,11 @@ namespace {
 // A node enters contact when it is this share of its radius deeper than touching; released nodes
 // float at zero and must not be caught again by round-off.
 constexpr double kEntryDepth = 1e-3;
-// Sliding friction is iterated with the normal reaction until it holds to this share.
-constexpr double kFrictionTolerance = 1e-3;
-// Slips slower than this, m/s, are rest: below it friction is proportionately less in the step,
-// and the node sticks from the next one on.
-constexpr double kSlowSlip = 1e-2;
+// The slip, m/s, that smooths friction: at it friction is 0.71 of its limit.
+constexpr double kSlowSlip = 1e-3;
+// A node that slips no faster, m/s, is held at the start of the next step, and slides there if
+// friction cannot hold it. At this slip friction is 0.98 of its limit: what it can hold, stops.
+constexpr double kRestSlip = 5.0 * kSlowSlip;
 // Cosine between the normals where a node enters and where it was heading, on one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostRevisions = 12;
@@ -35,11 +35,12 @@ bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& 
 }  // namespace
 
 ModifiedMass::ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius,
-                           std::vector<double> mass, double friction)
+                           std::vector<double> mass, const ContactSpec& spec)
     : bodies_(&bodies),
       radius_(std::move(radius)),
       mass_(std::move(mass)),
-      friction_(friction),
+      friction_(spec.friction),
+      friction_tolerance_(spec.friction_tolerance),
       contact_of_(radius_.size(), kNone),
       released_(radius_.size(), 0) {}
 
@@ -118,20 +119,37 @@ bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<B
       if (!near_body((*bodies_)[b], bodies[b], start_->x[i], x1[i], radius_[i] + drift)) continue;
       Vec3 hit;
       if (!entry(node, body, x1[i], bodies[b], hit)) continue;
-      // Without friction the node goes on along the surface to where it was heading, unless that
-      // lies nearer to another side than to the one that it enters by.
-      const Vec3 end = to_body(bodies[b], x1[i]);
-      const Shape& shape = *(*bodies_)[b].shape;
-      const SurfacePoint there = shape.nearest(end);
-      const bool through =
-          there.distance >= radius_[i] || there.normal.dot(shape.nearest(hit).normal) < kSameSide;
-      contacts_.push_back(
-          make_contact(node, body, friction_ > 0.0 || through ? hit : end, !released_[i]));
+      contacts_.push_back(enter(node, body, hit, to_body(bodies[b], x1[i])));
       contact_of_[i] = 0;
       found = true;
     }
   }
   return found;
+}
+
+// The contact of a node that touches at `hit` on its way to `end`, both in body axes. Without
+// friction it goes on along the surface to where it was heading, unless that lies nearer to another
+// side than to the one that it enters by. With friction it stays where it enters if friction on its
+// own impact would stop it; else it slides, at first under that friction. What the threads pull is
+// not known yet: a node that was to stay may slide later in the step, not the other way round, and
+// those held wrongly make threads between them carry forces a hundred times those at the end.
+ModifiedMass::Contact ModifiedMass::enter(Index node, Index body, const Vec3& hit,
+                                          const Vec3& end) const {
+  const Shape& shape = *(*bodies_)[body].shape;
+  const SurfacePoint there = shape.nearest(end);
+  const Vec3 normal = shape.nearest(hit).normal;
+  const double radius = radius_[node];
+  if (friction_ == 0.0) {
+    const bool through = there.distance >= radius || there.normal.dot(normal) < kSameSide;
+    return make_contact(node, body, through ? hit : end, false);
+  }
+  const Vec3 way = end - to_body(start_->bodies[body], start_->x[node]);
+  const double down = -way.dot(normal), along = (way + down * normal).norm();
+  const bool stops = along <= friction_ * down + kRestSlip * step_->h;
+  Contact c = make_contact(node, body, hit, stops && !released_[node]);
+  const double depth = std::max(0.0, radius - there.distance);
+  if (!c.sticks) c.limit = friction_ * mass_[node] * depth / (step_->h * step_->h);
+  return c;
 }
 
 // Where the step would take the node if it stuck to where it started, at a pose of the body.
@@ -155,53 +173,69 @@ double ModifiedMass::normal_impulse(const Contact& c, const Vec3& x1, const Vec3
   return c.normal.dot(step_->reaction_impulse() * reaction + mass_[c.node] * (surface - end));
 }
 
-// Coulomb's law for one contact; true if it changed. Within a step a node only goes from sticking
-// to sliding; a node that ends a step at rest sticks in the next one. So no contact alternates.
-bool ModifiedMass::revise_contact(Contact& c, const Vec3& reaction, bool may_change) const {
-  if (friction_ == 0.0 || !may_change) return false;
-  const double limit = friction_ * std::max(0.0, reaction.dot(c.normal));
-  if (c.sticks) {
-    const Vec3 along = reaction - c.normal * c.normal.dot(reaction);
-    if (along.norm() <= limit * (1.0 + 1e-9)) return false;
-    c.sticks = false;
-    c.limit = limit;
+// Releases what the surface would have to pull; true if there is any. A node that sticks may pull
+// only because it is dragged along: it slides before it leaves.
+bool ModifiedMass::release(const std::vector<Vec3>& x1, const std::vector<Vec3>& reaction) {
+  double largest = 0.0;
+  for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
+  largest *= step_->reaction_impulse();
+  bool changed = false;
+  std::erase_if(contacts_, [&](Contact& c) {
+    const bool pulls = released_[c.node] < kMostReleases &&
+                       normal_impulse(c, x1[c.node], reaction[c.node]) < -1e-9 * largest;
+    if (!pulls) return false;
+    changed = true;
+    if (c.sticks) {
+      c.sticks = false;
+      return false;
+    }
+    ++released_[c.node];
     return true;
+  });
+  return changed;
+}
+
+// Coulomb's law; true if anything changed that calls for another solution, or if that is called for
+// already. Within a step a node only goes from sticking to sliding; a node that ends a step at rest
+// sticks in the next one. So no contact alternates. The limits of all that slides follow the normal
+// reactions until these hold on the whole.
+bool ModifiedMass::revise_friction(const std::vector<Vec3>& reaction, bool changed) {
+  if (friction_ == 0.0) return changed;
+  const auto limit_now = [&](const Contact& c) {
+    return friction_ * std::max(0.0, reaction[c.node].dot(c.normal));
+  };
+  double change = 0.0, sum = 0.0;
+  for (Contact& c : contacts_) {
+    const double limit = limit_now(c);
+    sum += limit;
+    if (!c.sticks) {
+      change += std::abs(limit - c.limit);
+      continue;
+    }
+    const Vec3& f = reaction[c.node];
+    if ((f - c.normal * c.normal.dot(f)).norm() <= limit * (1.0 + 1e-9)) continue;
+    c.sticks = false;
+    changed = true;
   }
-  if (std::abs(limit - c.limit) <= kFrictionTolerance * std::max(limit, c.limit)) return false;
-  c.limit = limit;
-  return true;
+  changed |= change > friction_tolerance_ * sum;
+  if (changed)
+    for (Contact& c : contacts_)
+      if (!c.sticks) c.limit = limit_now(c);
+  return changed;
 }
 
 // Whether a sliding node has come to rest on the body.
 bool ModifiedMass::at_rest(const Contact& c) const {
   const Vec3 d = end_[c.node] - carried(c, now_[c.body]);
-  return (d - c.normal * c.normal.dot(d)).norm() <= kSlowSlip * step_->h;
+  return (d - c.normal * c.normal.dot(d)).norm() <= kRestSlip * step_->h;
 }
 
 bool ModifiedMass::revise(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies,
                           const std::vector<Vec3>& reaction, bool) {
   now_ = bodies;
   end_ = x1;
-  const bool may_change = ++revisions_ <= kMostRevisions;
-  double largest = 0.0;
-  for (const Contact& c : contacts_) largest = std::max(largest, reaction[c.node].norm());
-  largest *= step_->reaction_impulse();
   bool changed = false;
-  std::erase_if(contacts_, [&](Contact& c) {
-    const bool pulls = may_change && released_[c.node] < kMostReleases &&
-                       normal_impulse(c, x1[c.node], reaction[c.node]) < -1e-9 * largest;
-    if (!pulls) return false;
-    changed = true;
-    // A node that sticks may pull only because it is dragged along: it slides before it leaves.
-    if (c.sticks) {
-      c.sticks = false;
-      c.limit = 0.0;
-      return false;
-    }
-    ++released_[c.node];
-    return true;
-  });
-  for (Contact& c : contacts_) changed |= revise_contact(c, reaction[c.node], may_change);
+  if (++revisions_ <= kMostRevisions) changed = revise_friction(reaction, release(x1, reaction));
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contact_of_[contacts_[k].node] = static_cast<Index>(k);

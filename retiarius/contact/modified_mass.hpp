@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "retiarius/contact/response.hpp"
+#include "retiarius/contact/spec.hpp"
 
 namespace retiarius {
 
@@ -19,7 +20,7 @@ class ModifiedMass final : public ContactResponse {
  public:
   // radius: of the thread at each node, m; mass: of each node, kg.
   ModifiedMass(const std::vector<Body>& bodies, std::vector<double> radius,
-               std::vector<double> mass, double friction);
+               std::vector<double> mass, const ContactSpec& spec);
 
   void begin(const Step& step, const std::vector<Vec3>& predicted,
              const std::vector<BodyState>& bodies, const std::vector<bool>& held) override;
@@ -41,7 +42,9 @@ class ModifiedMass final : public ContactResponse {
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
   bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
   bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) const;
-  bool revise_contact(Contact& c, const Vec3& reaction, bool may_change) const;
+  Contact enter(Index node, Index body, const Vec3& hit, const Vec3& end) const;
+  bool release(const std::vector<Vec3>& x1, const std::vector<Vec3>& reaction);
+  bool revise_friction(const std::vector<Vec3>& reaction, bool changed);
   bool at_rest(const Contact& c) const;
   Vec3 carried(const Contact& c, const BodyState& pose) const;
   double normal_impulse(const Contact& c, const Vec3& x1, const Vec3& reaction) const;
@@ -49,7 +52,7 @@ class ModifiedMass final : public ContactResponse {
 
   const std::vector<Body>* bodies_;
   std::vector<double> radius_, mass_;
-  double friction_;
+  double friction_, friction_tolerance_;
   const Step* step_ = nullptr;
   const State* start_ = nullptr;
   std::vector<BodyState> predicted_;

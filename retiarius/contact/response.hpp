@@ -39,6 +39,7 @@ class ContactResponse {
 
   // The constraints of the present contacts, ordered by node.
   virtual const std::vector<Constraint>& constraints() const = 0;
+  // The step's start state must still be there.
   virtual void contacts(std::vector<SolvedContact>& result) const = 0;
 };
 

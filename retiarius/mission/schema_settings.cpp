@@ -116,7 +116,7 @@ const Table<ContactSpec>& contact_table() {
            .at_least(1)
            .up_to(1000),
        key("friction_tolerance", &ContactSpec::friction_tolerance, "",
-           "barrier only: relative change of these forces below which it is not solved again")
+           "relative change of the normal forces below which a step is not solved again for them")
            .above(0)
            .up_to(1)});
   return table;

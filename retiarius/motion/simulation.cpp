@@ -21,7 +21,7 @@ namespace {
 
 // Convergence at which contacts are first revised: reactions are known to this share. The forces of
 // barriers are foretold, and better known than that.
-constexpr double kLooseTolerance = 1e-3;
+constexpr double kLooseTolerance = 1e-2;
 constexpr double kLooseWithBarriers = 0.3;
 
 // A step that took at most this share of the iterations allowed may be followed by a longer one.
@@ -133,8 +133,8 @@ void Simulation::configure(const EnvironmentSpec& environment, const IntegratorS
     return;
   }
   if (contact.method == ContactMethod::modified_mass && !bodies_->empty())
-    response_ = std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass,
-                                               contact.friction);
+    response_ =
+        std::make_unique<ModifiedMass>(*bodies_, node_radii(*network_), network_->mass, contact);
   if (contact.method == ContactMethod::barrier)
     barrier_ = std::make_unique<BarrierContact>(*network_, *bodies_, contact, integrator.step);
 }
@@ -333,6 +333,7 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   if (response_) {
     for (const Constraint& c : response_->constraints())
       force.push_back(c.blocked * g[c.node] + problem_->friction_force(c));
+    response_->contacts(solved_contacts_);
   }
   problem_->barrier_contacts(contacts_);
   std::vector<Vec3>& friction = friction_;
@@ -367,11 +368,9 @@ void Simulation::accept(const Step& step, const std::vector<Prescribed>& prescri
   std::fill(now.support.begin(), now.support.end(), Vec3::Zero());
   move_prescribed(done, prescribed, old);
   now.touches.clear();
-  if (response_ && !bodies_held_) {
-    response_->contacts(solved_contacts_);
+  if (response_ && !bodies_held_)
     apply_contact_impulses(done, *bodies_, network_->mass, contact_.friction, solved_contacts_,
                            force, now);
-  }
   if (contact_.self) now.memory.couplings = problem_->couplings();
   if (barrier_) {
     apply_barrier_impulses(done, *bodies_, contact_.stick_speed, contacts_, now);

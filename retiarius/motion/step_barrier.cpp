@@ -26,8 +26,6 @@ double StepProblem::add_barrier(Assembly& out) {
   sums.scale = reach;
   sums.definite = project_contact_;
   if (out.hessian) {
-    node_body_.clear();
-    body_body_.clear();
     sums.hessian = out.hessian;
     sums.node_body = &node_body_;
     sums.body_body = &body_body_;

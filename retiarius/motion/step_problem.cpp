@@ -6,7 +6,6 @@
 
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/base/stopwatch.hpp"
-#include "retiarius/contact/barrier_function.hpp"
 
 namespace retiarius {
 
@@ -168,9 +167,7 @@ double StepProblem::potential() {
     value += mass_[i] * (y_[i] - start_.predicted[i]).squaredNorm();
   value *= 0.5 * step.inertia;
   for (std::size_t b = 0; b < b_.size(); ++b) value += 0.5 * b_[b].dot(body_mass_[b] * b_[b]);
-  for (const Constraint& c : constraints_) {
-    if (c.limit > 0.0) value += c.limit / step.reach * std::hypot(slip(c).norm(), c.smoothing);
-  }
+  value += friction_potential();
   for (const auto& law : *laws_) value += law->potential(step, y_);
   if (start_.barrier) {
     const Stopwatch contact(times_.contact);
@@ -209,25 +206,14 @@ double StepProblem::sum_up(Assembly out) {
     body_gradient_[k] = body_mass_[k] * b_[k];
     value += 0.5 * b_[k].dot(body_gradient_[k]);
   }
+  if (out.hessian) {
+    node_body_.clear();
+    body_body_.clear();
+  }
   if (start_.barrier) value += add_barrier(out);
   inertial = add_inertia(out.hessian != nullptr);
   value += 0.5 * step.inertia * inertial;
-  for (std::size_t k = 0; k < constraints_.size(); ++k) {
-    const Constraint& c = constraints_[k];
-    if (c.limit <= 0.0) continue;
-    const Vec3 u = slip(c);
-    const double onward = slips_before_.empty() ? 1.0 : share_of_newton(slips_before_[k], u);
-    const double size = std::hypot(u.norm(), c.smoothing);
-    const Vec3 force = -c.limit / size * u;
-    value += c.limit / step.reach * size;
-    gradient_[c.node] -= force;
-    // The body's share of the second derivatives is left out: it is heavy against one node.
-    if (out.hessian)
-      matrix_.diagonal[c.node] +=
-          (c.limit * step.reach / size) *
-          (Mat3::Identity() - c.blocked - onward * u * u.transpose() / (size * size));
-    if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * force;
-  }
+  value += add_friction(out.hessian != nullptr);
   return value;
 }
 
@@ -254,27 +240,15 @@ double StepProblem::add_inertia(bool hessian) {
   return sum;
 }
 
-// Displacement of a sliding node along the surface, relative to the body, over the step, m.
-Vec3 StepProblem::slip(const Constraint& c) const {
-  const Step& step = *start_.step;
-  const Vec3& x0 = step.start->x[c.node];
-  Vec3 u = x0 + step.reach * (y_[c.node] - x0) - c.carried;
-  if (c.body != kNone) u -= step.reach * (lever_map(c) * b_[c.body]);
-  return u - c.blocked * u;
-}
-
-Vec3 StepProblem::friction_force(const Constraint& c) const {
-  if (c.limit <= 0.0) return Vec3::Zero();
-  const Vec3 u = slip(c);
-  return -c.limit / std::hypot(u.norm(), c.smoothing) * u;
-}
-
 // The gradient with respect to each body's unknowns, with the nodes that follow it.
 const std::vector<Vec6>& StepProblem::reduced_body_gradient() const {
   std::vector<Vec6>& g = reduced_;
   g = body_gradient_;
   for (const Constraint& c : constraints_) {
-    if (c.body != kNone) g[c.body] += lever_map(c).transpose() * (c.blocked * gradient_[c.node]);
+    if (c.body == kNone) continue;
+    Vec3 force = gradient_[c.node];
+    if (!foreseen_.empty()) force += foreseen_[c.node];
+    g[c.body] += lever_map(c).transpose() * (c.blocked * force);
   }
   return g;
 }
@@ -323,13 +297,28 @@ void StepProblem::move(double fraction) {
   for (std::size_t b = 0; b < b_.size(); ++b) b_[b] = base_b_[b] + fraction * db_[b];
 }
 
-// The blocks that couple each constrained node to its neighbours, one after the other.
+// The diagonal blocks of constrained nodes, and those that couple each to its neighbours, one after
+// the other.
 void StepProblem::keep_rows() {
+  kept_diagonal_.clear();
   kept_rows_.clear();
   for (const Constraint& c : constraints_) {
+    kept_diagonal_.push_back(matrix_.diagonal[c.node]);
     for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s) {
       const Mat3& block = matrix_.below[neighbours_[s].slot];
       kept_rows_.push_back(neighbours_[s].row ? Mat3(block) : Mat3(block.transpose()));
+    }
+  }
+}
+
+// Undoes filter_matrix().
+void StepProblem::restore_rows() {
+  const Mat3 *diagonal = kept_diagonal_.data(), *row = kept_rows_.data();
+  for (const Constraint& c : constraints_) {
+    matrix_.diagonal[c.node] = *diagonal++;
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s, ++row) {
+      const Neighbour& n = neighbours_[s];
+      matrix_.below[n.slot] = n.row ? *row : Mat3(row->transpose());
     }
   }
 }

@@ -125,6 +125,8 @@ class StepProblem final : public NewtonProblem {
 
   double sum_up(Assembly out);
   double add_barrier(Assembly& out);
+  double friction_potential() const;
+  double add_friction(bool hessian);
   void use_pattern();
   void grow_pattern();
   void couple(std::vector<std::pair<Index, Index>> couplings);
@@ -143,6 +145,7 @@ class StepProblem final : public NewtonProblem {
   void add_body_blocks();
   void filter_matrix();
   void keep_rows();
+  void restore_rows();
   bool factorise(bool again);
   bool solve_anew(bool again);
   void hold();
@@ -199,14 +202,14 @@ class StepProblem final : public NewtonProblem {
   std::vector<int> way_count_;
   double largest_force_ = 0.0;
   End end_, other_end_;
-  std::vector<ContactAssembly::NodeBody> node_body_;  // second derivatives, of the barrier
+  std::vector<ContactAssembly::NodeBody> node_body_;  // second derivatives of contact
   std::vector<ContactAssembly::BodyBody> body_body_;
   std::vector<double> largest_parts_;
   BlockMatrix matrix_;
-  std::vector<Mat3> kept_rows_;        // of constrained nodes, before the filter; see keep_rows()
-  std::vector<Border> borders_;        // of each body
-  std::vector<Index> touching_;        // bodies that nodes follow, ascending
-  std::vector<Mat6> border_diagonal_;  // of each pair of those, row by row
+  std::vector<Mat3> kept_diagonal_, kept_rows_;  // before the filter; see keep_rows()
+  std::vector<Border> borders_;                  // of each body
+  std::vector<Index> touching_;                  // bodies that nodes follow, ascending
+  std::vector<Mat6> border_diagonal_;            // of each pair of those, row by row
   std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, column after column; A^-1 dy
   Eigen::MatrixXd schur_;
   Eigen::VectorXd schur_rhs_;

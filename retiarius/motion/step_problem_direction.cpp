@@ -16,8 +16,7 @@ constexpr double kForeseen = 0.5;
 
 }  // namespace
 
-// Not where constraints follow bodies: these are eliminated from the matrix in place, once.
-bool StepProblem::foresees() const { return one_sided_ && !start_.contact && !start_.linear; }
+bool StepProblem::foresees() const { return one_sided_ && !start_.linear; }
 
 // What the last direction foresaw to act is taken for active from the start, as in the quadratic
 // models of an active-set method, although the present iterate may lie a little to its other side.
@@ -44,6 +43,7 @@ bool StepProblem::foresee() {
   const bool matters = energy > kForeseen * std::abs(slope());
   if (matters) {
     if (foreseen_.empty()) foreseen_.assign(y_.size(), Vec3::Zero());
+    restore_rows();
     diagonal_before_ = matrix_.diagonal;
     const Assembly out{&foreseen_, &matrix_, false};
     for (const auto& law : *laws_) law->awaken(base_y_, y_, &out);
@@ -54,12 +54,11 @@ bool StepProblem::foresee() {
 }
 
 // The nodes whose rows and columns of the matrix awakened threads have changed: what these add to
-// two nodes they add to the diagonal blocks of both. Constrained nodes' are filtered once more.
+// two nodes they add to the diagonal blocks of both.
 void StepProblem::note_changes() {
   changed_.clear();
   for (std::size_t i = 0; i < y_.size(); ++i)
-    if (constraint_of_[i] != kNone || matrix_.diagonal[i] != diagonal_before_[i])
-      changed_.push_back(static_cast<Index>(i));
+    if (matrix_.diagonal[i] != diagonal_before_[i]) changed_.push_back(static_cast<Index>(i));
 }
 
 bool StepProblem::find_direction() {
@@ -84,7 +83,7 @@ bool StepProblem::find_direction() {
 bool StepProblem::factorise(bool again) {
   const Stopwatch watch(times_.factor);
   build_borders();
-  if (start_.linear) keep_rows();
+  if (!again) keep_rows();
   filter_matrix();
   return again ? active_->refactor(matrix_, changed_) : active_->factor(matrix_);
 }

@@ -84,10 +84,10 @@ void compare_slip(Context& context) {
       const Later later = after_start(curve);
       context.relative(
           fmt::format("distance from 0.02 to 0.5 s at mu = {}, {}", friction, to_string(method)),
-          "m", curve.y.back() - later.way, later.speed * 0.48 + 0.5 * a * 0.48 * 0.48, 5e-4,
+          "m", curve.y.back() - later.way, later.speed * 0.48 + 0.5 * a * 0.48 * 0.48, 5e-6,
           "uniform acceleration, which central differences of the way take exactly; smoothed "
           "friction "
-          "lacks delta^2 / 2 v^2 of itself, 2e-4 at the 0.5 m/s that mu = 0.7 ends with");
+          "lacks delta^2 / 2 v^2 of itself, 2e-6 at the 0.5 m/s that mu = 0.7 ends with");
       if (method != Method::implicit_euler) continue;
       curve.name = fmt::format("mu = {}", friction);
       chart.curves.push_back(curve);
@@ -113,14 +113,12 @@ void compare_stop(Context& context) {
     const std::size_t stop = static_cast<std::size_t>(std::ceil((0.02 + later.speed / a) / h)) - 1;
     context.relative(
         fmt::format("way from 0.02 s until it should stop at mu = 1, {}", to_string(method)), "m",
-        way.y[stop] - later.way, 0.5 * later.speed * later.speed / a, 0.003,
-        "smoothed friction below 1 cm/s: about 1e-4 m; the stop falls within a step", "v^2 / 2|a|");
+        way.y[stop] - later.way, 0.5 * later.speed * later.speed / a, 5e-5,
+        "smoothed friction below 1 mm/s; the stop falls within a step", "v^2 / 2|a|");
     if (method != Method::implicit_euler) continue;
     context.note(fmt::format(
-        "A mass that slides sticks only once friction can take all its momentum within one step, "
-        "and smoothed friction holds it against the slope at some millimetres per second. With "
-        "steps below about 2 ms this mass therefore does not quite stop, but creeps: {:.1f} mm in "
-        "the {:.2f} s after it should have stopped (h = 0.5 ms, mu = 1).",
+        "A mass that slides sticks once friction can take all its momentum within one step. After "
+        "it should have stopped it moves by {:.2f} mm in {:.2f} s (h = 0.5 ms, mu = 1).",
         1e3 * (way.y.back() - way.y[stop]), 0.6 - v / a));
   }
 }
@@ -155,21 +153,20 @@ void draw_start(Context& context) {
   const double a = (slips.y[2999] - 2.0 * slips.y[1999] + slips.y[999]);
   context.relative(
       "acceleration from 1 to 3 s at mu = 0.98 tan(slope), from rest", "m/s2", a,
-      acceleration(friction), 0.15,
-      "friction lacks delta^2 / 2 v^2 of itself: mu g cos times 5e-5 / v^2, at 0.15 to "
-      "0.35 m/s on average a tenth of the small difference that accelerates",
+      acceleration(friction), 0.002,
+      "friction lacks delta^2 / 2 v^2 of itself: mu g cos times 5e-7 / v^2, at 0.1 to 0.3 m/s on "
+      "average a thousandth of the small difference that accelerates",
       "a = g (sin - mu cos)");
   chart.curves = {slips, sticks, exact};
   chart.caption = "Implicit Euler, h = 1 ms.";
   chart.source = "a = g (sin - mu cos)";
   context.chart(chart);
   context.note(fmt::format(
-      "Friction is smoothed: at a slip velocity v it is v / sqrt(v^2 + (1 cm/s)^2) of Coulomb's. A "
-      "mass thrown at 1 m/s feels none of it. Starting from rest within 2 % of the limit the whole "
-      "acceleration, {:.3f} m/s2, is a small difference of large forces, and what is missing of "
-      "friction at some centimetres per second is as large: after 1 s the mass is {:.1f} cm down "
-      "instead of {:.1f} cm. The limit itself is sharp, since a mass at rest sticks without "
-      "smoothing.",
+      "Friction is smoothed: at a slip velocity v it is v / sqrt(v^2 + (1 mm/s)^2) of Coulomb's. "
+      "Starting from rest within 2 % of the limit the whole acceleration, {:.3f} m/s2, is a small "
+      "difference of large forces, and what is missing of friction below a centimetre per second "
+      "shows: after 1 s the mass is {:.1f} cm down instead of {:.1f} cm. The limit itself is "
+      "sharp, since a mass at rest sticks without smoothing.",
       acceleration(friction), 100.0 * slips.y[999], 50.0 * acceleration(friction)));
 }
 
