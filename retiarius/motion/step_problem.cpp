@@ -323,17 +323,9 @@ void StepProblem::restore_rows() {
   }
 }
 
-// Constrained nodes do not move in the direction: they are where their targets are.
 void StepProblem::linearise() {
-  std::vector<Vec3>& force = base_y_;  // not needed any more
-  const Mat3* block = kept_rows_.data();
-  for (const Constraint& c : constraints_) {
-    force[c.node] = gradient_[c.node];
-    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s, ++block)
-      force[c.node] += *block * dy_[neighbours_[s].node];
-  }
   std::fill(gradient_.begin(), gradient_.end(), Vec3::Zero());
-  for (const Constraint& c : constraints_) gradient_[c.node] = force[c.node];
+  for (const Constraint& c : constraints_) gradient_[c.node] = reactions_[c.node];
 }
 
 double StepProblem::direction_size() const {
@@ -387,7 +379,8 @@ bool StepProblem::revise(bool full) {
   if (!start_.contact) return false;
   end_positions_ = end_positions(std::move(end_positions_));
   end_bodies(end_bodies_);
-  if (!start_.contact->revise(end_positions_, end_bodies_, gradient_, full)) return false;
+  const std::vector<Vec3>& reaction = full ? gradient_ : reactions_;
+  if (!start_.contact->revise(end_positions_, end_bodies_, reaction, full)) return false;
   collect_constraints();
   project_guess();
   return true;

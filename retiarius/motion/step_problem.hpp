@@ -146,6 +146,7 @@ class StepProblem final : public NewtonProblem {
   void filter_matrix();
   void keep_rows();
   void restore_rows();
+  void foretell_reactions();
   bool factorise(bool again);
   bool solve_anew(bool again);
   void hold();
@@ -206,6 +207,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<ContactAssembly::BodyBody> body_body_;
   std::vector<double> largest_parts_;
   BlockMatrix matrix_;
+  std::vector<Vec3> reactions_;                  // see foretell_reactions()
   std::vector<Mat3> kept_diagonal_, kept_rows_;  // before the filter; see keep_rows()
   std::vector<Border> borders_;                  // of each body
   std::vector<Index> touching_;                  // bodies that nodes follow, ascending

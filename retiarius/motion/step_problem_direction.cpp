@@ -68,6 +68,7 @@ bool StepProblem::find_direction() {
     ++foreseen_directions_;
     found = solve_anew(true);
   }
+  foretell_reactions();
   foreseen_.clear();  // whether it served or not: it belongs to this direction alone
   if (!found) return false;
   led_here_ = one_sided_;
@@ -79,11 +80,25 @@ bool StepProblem::find_direction() {
   return true;
 }
 
+// The gradient at constrained nodes at the direction's end, as the quadratic model has it: there
+// what becomes taut or slack is known better than at an iterate before convergence.
+void StepProblem::foretell_reactions() {
+  const Mat3 *diagonal = kept_diagonal_.data(), *row = kept_rows_.data();
+  reactions_.resize(gradient_.size());
+  for (const Constraint& c : constraints_) {
+    Vec3 force = gradient_[c.node] + *diagonal++ * dy_[c.node];
+    if (!foreseen_.empty()) force += foreseen_[c.node];
+    for (Index s = neighbour_starts_[c.node]; s < neighbour_starts_[c.node + 1]; ++s)
+      force += *row++ * dy_[neighbours_[s].node];
+    reactions_[c.node] = force;
+  }
+}
+
 // `again`: the matrix differs from the last one in changed_ alone.
 bool StepProblem::factorise(bool again) {
   const Stopwatch watch(times_.factor);
   build_borders();
-  if (!again) keep_rows();
+  keep_rows();
   filter_matrix();
   return again ? active_->refactor(matrix_, changed_) : active_->factor(matrix_);
 }
