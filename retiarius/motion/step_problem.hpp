@@ -68,6 +68,7 @@ class StepProblem final : public NewtonProblem {
   void linearise() override;
   double direction_size() const override;
   double residual_ratio() const override;
+  double largest_force() const override { return largest_force_; }
   bool revise(bool full) override;
 
   const std::vector<Vec3>& stage() const { return y_; }

@@ -125,8 +125,9 @@ double Iteration::line_search() {
   const bool descends = trial <= value_ + kArmijo * most * slope;
   const bool falls =
       descends || (rises_ < kMostRises && trial <= reference + kArmijo * most * slope);
+  const double blur = noise + settings_.round_off_step * problem_.largest_force();
   const bool level =
-      std::abs(trial - value_) <= noise && std::abs(problem_.slope()) <= 0.9 * std::abs(slope);
+      std::abs(trial - value_) <= blur && std::abs(problem_.slope()) <= 0.9 * std::abs(slope);
   const bool still = std::abs(slope) <= noise;
   if (std::isfinite(trial) && (falls || level || still)) {
     rises_ += descends ? 0 : 1;

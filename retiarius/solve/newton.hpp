@@ -54,6 +54,10 @@ class NewtonProblem {
   // step was short enough.
   virtual double residual_ratio() const = 0;
 
+  // The largest force that others balance, N, with directions in m: positions that are rounded by
+  // `NewtonSettings::round_off_step` blur the potential by their product.
+  virtual double largest_force() const { return 0.0; }
+
   // Called when the iteration has converged to the loose or the full tolerance: may change the
   // problem (contacts, friction) and then returns true, and the iteration goes on.
   virtual bool revise(bool /*full*/) { return false; }

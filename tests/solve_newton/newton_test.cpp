@@ -69,6 +69,8 @@ class Scalars : public NewtonProblem {
   void linearise() override { gradient += hessian * direction; }
   double direction_size() const override { return direction.norm(); }
   double residual_ratio() const override { return gradient.norm() / residual_scale; }
+  double force = 0.0;  // the largest
+  double largest_force() const override { return force; }
   bool revise(bool full) override { return on_revise && on_revise(full); }
 };
 
@@ -346,6 +348,28 @@ TEST(UpdateOnce, ProjectsAnIndefiniteMatrixAndRefusesWhatIsNotFinite) {
   const NewtonResult bad = update_once(p);
   EXPECT_FALSE(bad.converged);
   EXPECT_EQ(bad.failure, "the potential is not finite");
+}
+
+// Large forces that balance each other leave a small potential that is rounded coarsely: here by a
+// step of 1e-9, where the way to the minimum would lower it by 5e-13. The slope still falls there.
+TEST(Minimise, TakesTheWholeStepWhereTheFallDrownsInLargeForces) {
+  const auto solve = [](double force) {
+    Scalars p;
+    p.x = Vector::Constant(1, 1e-6);
+    p.value = [](const Vector& x) { return x[0] == 0.0 ? 1e-9 : 0.5 * x[0] * x[0]; };
+    p.slope_of = [](const Vector& x) { return x; };
+    p.curvature = [](const Vector&) { return Matrix::Identity(1, 1); };
+    p.residual_scale = 1e-13;
+    p.force = force;
+    NewtonSettings settings;
+    settings.step_tolerance = 1e-7;
+    settings.round_off_step = 1e-15;
+    return minimise(p, settings);
+  };
+  const NewtonResult known = solve(1e7);
+  EXPECT_TRUE(known.converged);
+  EXPECT_LE(known.iterations, 2);
+  EXPECT_GT(solve(0.0).iterations, 2);
 }
 
 }  // namespace
