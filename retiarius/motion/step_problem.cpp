@@ -240,7 +240,8 @@ double StepProblem::add_inertia(bool hessian) {
   return sum;
 }
 
-// The gradient with respect to each body's unknowns, with the nodes that follow it.
+// The gradient with respect to each body's unknowns, with the nodes that follow it and what is
+// foreseen to act on these.
 const std::vector<Vec6>& StepProblem::reduced_body_gradient() const {
   std::vector<Vec6>& g = reduced_;
   g = body_gradient_;

@@ -68,7 +68,7 @@ bool StepProblem::find_direction() {
     ++foreseen_directions_;
     found = solve_anew(true);
   }
-  foretell_reactions();
+  if (found) foretell_reactions();
   foreseen_.clear();  // whether it served or not: it belongs to this direction alone
   if (!found) return false;
   led_here_ = one_sided_;
@@ -125,6 +125,7 @@ void StepProblem::reuse_direction() {
   start_direction();
   active_->solve(dy_);
   finish_direction();
+  foretell_reactions();
   led_here_ = one_sided_;
 }
 

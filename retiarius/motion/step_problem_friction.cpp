@@ -42,13 +42,13 @@ double StepProblem::add_friction(bool hessian) {
     const Vec3 force = -c.limit / size * u;
     value += c.limit * size;
     gradient_[c.node] -= force;
-    if (c.body != kNone) body_gradient_[c.body] += lever_map(c).transpose() * force;
-    if (!hessian) continue;
     const Mat3 h = c.limit * reach / size *
                    (Mat3::Identity() - c.blocked - onward * u * u.transpose() / (size * size));
-    matrix_.diagonal[c.node] += h;
+    if (hessian) matrix_.diagonal[c.node] += h;
     if (c.body == kNone) continue;
     const Mat36 j = lever_map(c);
+    body_gradient_[c.body] += j.transpose() * force;
+    if (!hessian) continue;
     node_body_.push_back({c.node, c.body, -h * j});
     body_body_.push_back({c.body, c.body, j.transpose() * h * j});
   }
