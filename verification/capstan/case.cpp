@@ -123,8 +123,9 @@ void refine(Context& context) {
   context.chart(chart);
   context.note(
       "Each node turns the thread by a corner, over which the tension grows by a step. The ratio "
-      "of both ends errs by 4 % at most with 6 nodes on the half turn and by 0.1 % with 36, "
-      "with the square of their number until the jolts of nodes that enter and leave remain.");
+      "of both ends errs by 4 % at most with 6 nodes on the half turn and by 0.1 % with 36. It "
+      "falls with the square of their number until the jolts of nodes that enter and leave "
+      "remain.");
 }
 
 void run(Context& context) {
