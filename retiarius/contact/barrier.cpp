@@ -130,6 +130,7 @@ void BarrierContact::begin(const Step& step, double& search_time) {
   }
   slidings(at, false, sliding_);
   rounds_ = 1;
+  foretold_rounds_ = 0;
 }
 
 // Whether nothing is farther than the slack from where it was when pairs were looked for last.

@@ -250,9 +250,9 @@ class BarrierContact {
   std::vector<BodyPlace> body_places_;
   std::vector<Foretold> foretold_, next_foretold_;  // as the pairs are ordered
   std::vector<Sliding> sliding_, next_sliding_;
-  std::vector<Vec3> no_turns_;     // of each body
-  int rounds_ = 0;                 // of friction in this step
-  double* search_time_ = nullptr;  // see begin()
+  std::vector<Vec3> no_turns_;            // of each body
+  int rounds_ = 0, foretold_rounds_ = 0;  // of friction in this step
+  double* search_time_ = nullptr;         // see begin()
   double force_round_off_ = 0.0;
 };
 

@@ -71,7 +71,8 @@ void BarrierContact::friction_term(const Sliding& s, const ContactPlaces& at,
 }
 
 bool BarrierContact::revise(const ContactPlaces& at, bool solved) {
-  if (rounds_ >= spec_.friction_rounds) return false;
+  int& rounds = solved ? rounds_ : foretold_rounds_;
+  if (rounds >= spec_.friction_rounds) return false;
   std::vector<Sliding>& next = next_sliding_;
   slidings(at, !solved, next);
   // Both are ordered as the pairs are.
@@ -89,7 +90,7 @@ bool BarrierContact::revise(const ContactPlaces& at, bool solved) {
   }
   for (; old != sliding_.end(); ++old) change += old->force;
   if (change <= spec_.friction_tolerance * sum) return false;
-  ++rounds_;
+  ++rounds;
   sliding_.swap(next);
   return true;
 }

@@ -10,7 +10,7 @@ namespace retiarius {
 namespace {
 
 // Of relax(): the most sweeps, and the strain up to which segments are left as they are.
-constexpr int kMostSweeps = 60;
+constexpr int kMostSweeps = 30;
 constexpr double kLeftStrain = 1e-3;
 
 // Threads that are foretold to be taut are not held where they are slacker than this strain.
