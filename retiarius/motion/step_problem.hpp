@@ -18,8 +18,6 @@
 
 namespace retiarius {
 
-using Mat63 = Eigen::Matrix<double, 6, 3>;
-
 // Unknowns are the stage positions y of the nodes and, for each free body, a translation and a
 // rotation vector b that contact adds to its free motion (both divided by the step's reach). The
 // potential is
@@ -157,10 +155,8 @@ class StepProblem final : public NewtonProblem {
   void note_changes();
   void start_direction();
   void finish_direction();
+  void solve_direction();
   void solve_bordered();
-  void solve_with_border_columns();
-  void build_schur();
-  Vec6 border_times(std::size_t body, const Vec3* x) const;
   const std::vector<Vec6>& reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
@@ -213,8 +209,8 @@ class StepProblem final : public NewtonProblem {
   std::vector<Border> borders_;                  // of each body
   std::vector<Index> touching_;                  // bodies that nodes follow, ascending
   std::vector<Mat6> border_diagonal_;            // of each pair of those, row by row
-  std::vector<Vec3> columns_;  // A^-1 B of the bodies that touch, column after column; A^-1 dy
-  Eigen::MatrixXd schur_;
+  std::vector<BorderColumns> columns_;           // theirs
+  Eigen::MatrixXd products_, schur_;
   Eigen::VectorXd schur_rhs_;
   Eigen::LDLT<Eigen::MatrixXd> schur_factor_;
 };

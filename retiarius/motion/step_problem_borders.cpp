@@ -89,72 +89,27 @@ void StepProblem::add_body_blocks() {
   }
 }
 
-// A^-1 B, one column after the other, and after them A^-1 dy, which goes back to its place.
-void StepProblem::solve_with_border_columns() {
-  const std::size_t n = dy_.size();
-  columns_.assign(6 * touching_.size() * n, Vec3::Zero());
-  columns_.insert(columns_.end(), dy_.begin(), dy_.end());
-  Vec3* first = columns_.data();
-  for (const Index body : touching_) {
-    const Border& border = borders_[body];
-    for (int k = 0; k < 6; ++k, first += n) {
-      for (std::size_t t = 0; t < border.nodes.size(); ++t) {
-        first[border.nodes[t]] = border.rows[t].row(k).transpose();
-      }
-    }
-  }
-  active_->solve(columns_);
-  std::copy(columns_.end() - static_cast<std::ptrdiff_t>(n), columns_.end(), dy_.begin());
-}
-
-// B^T x for the columns of one touching body.
-Vec6 StepProblem::border_times(std::size_t body, const Vec3* x) const {
-  const Border& border = borders_[touching_[body]];
-  Vec6 sum = Vec6::Zero();
-  for (std::size_t t = 0; t < border.nodes.size(); ++t) {
-    sum.noalias() += border.rows[t] * x[border.nodes[t]];
-  }
-  return sum;
-}
-
-// The bodies' Schur complement D - B^T A^-1 B, factorised.
-void StepProblem::build_schur() {
-  const std::size_t n = dy_.size(), count = touching_.size();
-  const Eigen::Index size = static_cast<Eigen::Index>(6 * count);
-  schur_.resize(size, size);
+// A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with r in dy on entry, by
+// the bodies' Schur complement D - B^T A^-1 B.
+void StepProblem::solve_bordered() {
+  const std::size_t count = touching_.size();
+  const auto row_of = [](std::size_t p) { return static_cast<Eigen::Index>(6 * p); };
+  columns_.clear();
+  for (const Index body : touching_)
+    columns_.push_back({&borders_[body].nodes, &borders_[body].rows});
+  active_->begin_bordered(columns_, dy_, products_);
+  const std::vector<Vec6>& body_gradient = reduced_body_gradient();
+  schur_ = -products_.leftCols(row_of(count));
+  schur_rhs_ = -products_.rightCols(1);
   for (std::size_t p = 0; p < count; ++p) {
-    const Eigen::Index row = static_cast<Eigen::Index>(6 * p);
-    for (std::size_t q = 0; q < count; ++q) {
-      for (int l = 0; l < 6; ++l) {
-        const std::size_t column = 6 * q + static_cast<std::size_t>(l);
-        schur_.block<6, 1>(row, static_cast<Eigen::Index>(column)) =
-            border_diagonal_[p * count + q].col(l) - border_times(p, columns_.data() + column * n);
-      }
-    }
+    schur_rhs_.segment<6>(row_of(p)) -= body_gradient[touching_[p]];
+    for (std::size_t q = 0; q < count; ++q)
+      schur_.block<6, 6>(row_of(p), row_of(q)) += border_diagonal_[p * count + q];
   }
   schur_factor_.compute(0.5 * (schur_ + schur_.transpose()));
-}
-
-// A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with A^-1 r in dy on entry.
-void StepProblem::solve_bordered() {
-  const std::size_t n = dy_.size();
-  const std::vector<Vec6>& body_gradient = reduced_body_gradient();
-  schur_rhs_.resize(static_cast<Eigen::Index>(6 * touching_.size()));
-  for (std::size_t p = 0; p < touching_.size(); ++p) {
-    schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p)) =
-        -body_gradient[touching_[p]] - border_times(p, dy_.data());
-  }
   schur_factor_.solveInPlace(schur_rhs_);
-  for (std::size_t p = 0; p < touching_.size(); ++p) {
-    db_[touching_[p]] = schur_rhs_.segment<6>(static_cast<Eigen::Index>(6 * p));
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    Vec3 d = dy_[i];
-    for (Eigen::Index m = 0; m < schur_rhs_.size(); ++m) {
-      d -= schur_rhs_(m) * columns_[static_cast<std::size_t>(m) * n + i];
-    }
-    dy_[i] = d;
-  }
+  for (std::size_t p = 0; p < count; ++p) db_[touching_[p]] = schur_rhs_.segment<6>(row_of(p));
+  active_->end_bordered(schur_rhs_, dy_);
 }
 
 }  // namespace retiarius

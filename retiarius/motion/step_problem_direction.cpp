@@ -103,30 +103,28 @@ bool StepProblem::factorise(bool again) {
   return again ? active_->refactor(matrix_, changed_) : active_->factor(matrix_);
 }
 
-// The direction for the present gradient and matrix. Bodies' columns and the gradient are solved
-// for together, which costs little more than the one or the other.
+// The direction for the present gradient and matrix.
 bool StepProblem::solve_anew(bool again) {
   if (!factorise(again)) return false;
-  const Stopwatch watch(times_.solve);
-  start_direction();
-  if (touching_.empty()) {
-    active_->solve(dy_);
-  } else {
-    solve_with_border_columns();
-    build_schur();
-  }
-  finish_direction();
+  solve_direction();
   return std::all_of(dy_.begin(), dy_.end(), [](const Vec3& d) { return d.allFinite(); });
 }
 
 // The direction for the present gradient with the present factorisation and borders.
 void StepProblem::reuse_direction() {
-  const Stopwatch watch(times_.solve);
-  start_direction();
-  active_->solve(dy_);
-  finish_direction();
+  solve_direction();
   foretell_reactions();
   led_here_ = one_sided_;
+}
+
+void StepProblem::solve_direction() {
+  const Stopwatch watch(times_.solve);
+  start_direction();
+  if (touching_.empty())
+    active_->solve(dy_);
+  else
+    solve_bordered();
+  finish_direction();
 }
 
 // The right-hand side, in the direction's place.
@@ -145,9 +143,8 @@ void StepProblem::start_direction() {
   for (std::size_t b = 0; b < b_.size(); ++b) db_[b] = -b_[b];
 }
 
-// What bodies and blocked directions add to the solution for the net alone.
+// Blocked directions follow the bodies.
 void StepProblem::finish_direction() {
-  if (!touching_.empty()) solve_bordered();
   for (const Constraint& c : constraints_) {
     dy_[c.node] -= c.blocked * dy_[c.node];
     if (c.body != kNone) dy_[c.node] += c.blocked * (lever_map(c) * db_[c.body]);

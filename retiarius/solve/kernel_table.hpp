@@ -31,7 +31,7 @@ struct Extension {
   long update_ld;
 };
 
-// One front's part in solving for kLanes right-hand sides.
+// One front's part in forward substitution for kLanes right-hand sides.
 struct Sweep {
   const double* panel;
   long ld;
@@ -62,10 +62,13 @@ struct KernelTable {
   // x = L11^-T (x - L21^T w). On entry w holds zero in the pivot rows and the solution below.
   void (*backward)(const double* panel, int ld, int k, double* w, double* x);
 
-  // The same for kLanes right-hand sides, in place: own = L11^-1 own, then L21 own is subtracted
-  // from the rows below; and own = L11^-T (own - L21^T below). Lanes do not mix.
+  // Forward for kLanes right-hand sides, in place: own = L11^-1 own, then L21 own is subtracted
+  // from the rows below. Lanes do not mix.
   void (*forward_lanes)(const Sweep& sweep);
-  void (*backward_lanes)(const Sweep& sweep);
+
+  // sums[kLanes i + j]: the sum over all rows of a's lane i times b's lane j. All three
+  // stand on cache lines.
+  void (*products)(const double* a, const double* b, long rows, double* sums);
 };
 
 // The table chosen by set_kernels().

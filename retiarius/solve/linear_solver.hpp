@@ -9,6 +9,14 @@
 
 namespace retiarius {
 
+using Mat63 = Eigen::Matrix<double, 6, 3>;
+
+// Six columns that are zero but at some nodes: rows[i] is what they have at nodes[i], transposed.
+struct BorderColumns {
+  const std::vector<Index>* nodes;
+  const std::vector<Mat63>* rows;
+};
+
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -35,15 +43,24 @@ class LinearSolver {
     return factor(matrix);
   }
 
-  // Solves in place for one right-hand side, or for several, one after the other in x: up to eight
-  // of them cost little more than one, and a solution does not depend on the others that it is
-  // found with, though one found alone may differ by rounding. Throws Error unless the last
-  // factor() succeeded. Uses storage of the solver: not from two threads at once.
+  // Solves in place. Throws Error unless the last factor() succeeded, or where x does not fit. This
+  // and what follows uses storage of the solver: not from two threads at once.
   virtual void solve(std::vector<Vec3>& x) const = 0;
+
+  // For a matrix A bordered by dense columns B, where solutions are wanted only together: the first
+  // half makes the products B^T A^-1 [B r] of which the border's Schur complement is made, the
+  // second the solution A^-1 (r - B c) for what that gives. As solve() otherwise.
+  virtual void begin_bordered(const std::vector<BorderColumns>& border, const std::vector<Vec3>& r,
+                              Eigen::MatrixXd& products) const;
+  virtual void end_bordered(const Eigen::VectorXd& c, std::vector<Vec3>& x) const;
 
   // Numbers of the analysis: nonzero scalars of the factor and floating-point operations.
   virtual double factor_entries() const = 0;
   virtual double factor_flops() const = 0;
+
+ private:
+  mutable std::vector<std::vector<Vec3>> bordered_;  // A^-1 [B r], column by column
+  mutable Eigen::Index border_ = kNone;              // columns of B there
 };
 
 // The slow readable reference: Eigen's simplicial LDLT on scalars.

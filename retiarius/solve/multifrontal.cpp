@@ -1,13 +1,8 @@
-// Multifrontal Cholesky factorisation in 3x3 blocks (J. W. H. Liu, The multifrontal method for
-// sparse matrix solution: theory and practice, SIAM Review 34, 1992).
-//
-// A front takes the matrix's entries of its pivot columns and its children's updates, always in the
-// same order, so that the factor does not depend on which thread computed what.
+// The factorisation of the multifrontal solver.
+#include "retiarius/solve/multifrontal.hpp"
+
 #include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <memory>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -15,95 +10,13 @@
 #include <tbb/task_group.h>
 
 #include "retiarius/base/error.hpp"
-#include "retiarius/base/parallel.hpp"
-#include "retiarius/solve/aligned_array.hpp"
 #include "retiarius/solve/flush_denormals.hpp"
-#include "retiarius/solve/linear_solver.hpp"
-#include "retiarius/solve/symbolic.hpp"
 
 namespace retiarius {
 
-namespace {
-
-constexpr std::size_t kSmallFactor = 100000;  // scalars that one thread reads as quickly as several
-
-class MultifrontalSolver : public LinearSolver {
- public:
-  std::string_view name() const override { return "multifrontal"; }
-
-  void analyse(const BlockPattern& pattern) override;
-  void expect_changes(bool soon) override { trials_ = soon ? 1 : kOrderTrials; }
-  bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
-  void keep_parts(bool keep) override {
-    keeps_parts_ = keep;
-    has_parts_ = has_parts_ && keep;
-  }
-  bool refactor(const BlockMatrix& matrix, const std::vector<Index>& changed) override {
-    return factor(matrix, &changed);
-  }
-  void solve(std::vector<Vec3>& x) const override;
-
-  double factor_entries() const override { return symbolic_.entries; }
-  double factor_flops() const override { return symbolic_.flops; }
-
- private:
-  bool factor(const BlockMatrix& matrix, const std::vector<Index>* changed);
-  void mark_changes(const std::vector<Index>& changed);
-  bool parallel() const { return threads() > 1 && symbolic_.tasks.size() > 1; }
-  void place_kept();
-  void reserve_updates();
-  bool factor_serial();
-  bool factor_parallel();
-  void factor_above(Index f);
-  void factor_task(Index task);
-  bool factor_front(const Front& front, double* memory, bool spread);
-  void assemble(const Front& front, double* panel) const;
-  enum class Part { panel, update };
-  void add_children(const Front& front, double* panel, double* update, double* memory, Part part);
-  void make_update(const Front& front, const double* panel, double* update, bool spread) const;
-  void place_sums();
-  void add_sums(double* all, std::size_t width) const;
-  template <class Body>
-  void each_task(const Body& body) const;
-  void forward(const Front& front, double* all, double* w) const;
-  void backward(const Front& front, double* all, double* w) const;
-  void solve_one(Vec3* x) const;
-  void solve_together(Vec3* x, std::size_t count) const;
-
-  // `memory` is the task's; one thread has its own.
-  double* update_of(const Front& front, double* memory) {
-    if (keeps_parts_) return kept_.data() + kept_updates_[&front - symbolic_.fronts.data()];
-    if (!side_by_side_) return serial_.data() + front.update;
-    return (front.update_shared ? shared_.data() : memory) + front.task_update;
-  }
-
-  int trials_ = kOrderTrials;
-  Symbolic symbolic_;
-  std::vector<Index> position_;  // of each block in the order of elimination
-  std::vector<Index> front_of_;  // of each position, the front that eliminates it
-  Index pairs_ = 0;
-  bool analysed_ = false, factored_ = false;
-  AlignedArray factor_, serial_, shared_, tasks_;
-  bool keeps_parts_ = false;
-  AlignedArray kept_;  // all updates
-  std::size_t kept_size_ = 0;
-  std::vector<std::size_t> kept_updates_;  // where each front's begins
-  bool has_parts_ = false;
-  std::vector<char> is_changed_;            // whether each front depends on a block that changed
-  mutable AlignedArray front_vector_;       // of the top, then one a task
-  std::vector<std::size_t> front_vectors_;  // where those of the tasks begin
-  std::vector<Index> sum_rows_;             // see place_sums()
-  std::vector<Index> sum_starts_;           // of each task's own places
-  mutable std::vector<Vec3> permuted_;      // the blocks, then the tasks' own places
-  mutable AlignedArray lanes_;              // interleaved right-hand sides, once there were several
-  const BlockMatrix* matrix_ = nullptr;     // while factor() runs
-  const kernels::KernelTable* kernels_ = nullptr;
-  bool side_by_side_ = false;  // by tasks
-  std::atomic<bool> failed_ = false;
-};
-
 void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   factored_ = has_parts_ = false;
+  lane_columns_ = kNone;
   symbolic_ = analyse_fronts(pattern, trials_);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
@@ -133,6 +46,7 @@ bool MultifrontalSolver::factor(const BlockMatrix& matrix, const std::vector<Ind
                     "{} and {}; analyse its pattern first",
                     matrix.diagonal.size(), matrix.below.size(), symbolic_.order.size(), pairs_));
   }
+  lane_columns_ = kNone;
   const bool again = changed && has_parts_;
   is_changed_.assign(symbolic_.fronts.size(), again ? 0 : 1);
   if (again) mark_changes(*changed);
@@ -292,180 +206,6 @@ void MultifrontalSolver::make_update(const Front& front, const double* panel, do
     });
   });
 }
-
-void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
-  if (!factored_) throw Error("solve() needs a successful factor() before it");
-  const std::size_t blocks = symbolic_.order.size();
-  if (blocks == 0 ? !x.empty() : x.size() % blocks != 0) {
-    throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
-                            blocks));
-  }
-  const std::size_t most = kernels::kLanes * blocks;
-  for (std::size_t start = 0; start < x.size(); start += most) {
-    const std::size_t count = std::min(most, x.size() - start) / blocks;
-    if (count == 1) {
-      solve_one(x.data() + start);
-    } else {
-      solve_together(x.data() + start, count);
-    }
-  }
-}
-
-// Tasks one after the other or side by side, whatever is quicker; they write to places of their
-// own.
-template <class Body>
-void MultifrontalSolver::each_task(const Body& body) const {
-  const auto range = [&](std::size_t begin, std::size_t end) {
-    const FlushDenormals flush;
-    for (std::size_t t = begin; t < end; ++t) body(t);
-  };
-  if (symbolic_.factor_size < kSmallFactor) return range(0, symbolic_.tasks.size());
-  parallel_for(symbolic_.tasks.size(), 1, range);
-}
-
-// Where the sweeps add what a front's pivots do to the rows below: within a task, rows beyond it
-// have a place for the task alone, behind the blocks' own.
-void MultifrontalSolver::place_sums() {
-  sum_rows_ = symbolic_.rows;
-  sum_starts_.clear();
-  front_vectors_.clear();
-  auto end = static_cast<Index>(symbolic_.order.size());
-  std::size_t vectors = static_cast<std::size_t>(symbolic_.largest_ld);
-  for (const FrontTask& task : symbolic_.tasks) {
-    const Front& root = symbolic_.fronts[task.end - 1];
-    const Index limit = root.first + root.columns;
-    const auto first = symbolic_.rows.begin() + static_cast<std::ptrdiff_t>(root.rows);
-    int most = 0;
-    for (Index f = task.begin; f < task.end; ++f) {
-      const Front& front = symbolic_.fronts[f];
-      most = std::max(most, front.ld);
-      for (Index b = 0; b < front.below; ++b) {
-        Index& row = sum_rows_[front.rows + b];
-        if (row < limit) continue;
-        row = end + static_cast<Index>(std::lower_bound(first, first + root.below, row) - first);
-      }
-    }
-    sum_starts_.push_back(end);
-    end += root.below;
-    front_vectors_.push_back(vectors);
-    vectors += static_cast<std::size_t>(most);
-  }
-  permuted_.resize(static_cast<std::size_t>(end));
-  front_vector_.resize(vectors);
-}
-
-// What the tasks have for rows beyond them, in the order of the tasks; `width` numbers a block.
-void MultifrontalSolver::add_sums(double* all, std::size_t width) const {
-  for (std::size_t t = 0; t < symbolic_.tasks.size(); ++t) {
-    const Front& root = symbolic_.fronts[symbolic_.tasks[t].end - 1];
-    const double* from = all + width * static_cast<std::size_t>(sum_starts_[t]);
-    for (Index b = 0; b < root.below; ++b) {
-      double* const to = all + width * static_cast<std::size_t>(symbolic_.rows[root.rows + b]);
-      for (std::size_t i = 0; i < width; ++i) to[i] += *from++;
-    }
-  }
-}
-
-void MultifrontalSolver::forward(const Front& front, double* all, double* w) const {
-  double* const own = all + 3L * front.first;
-  const auto pivots = static_cast<std::size_t>(front.pivots());
-  std::memcpy(w, own, sizeof(double) * pivots);
-  std::memset(w + pivots, 0, sizeof(double) * (static_cast<std::size_t>(front.ld) - pivots));
-  kernels::active().forward(factor_.data() + front.panel, front.ld, front.pivots(), w, own);
-  const double* from = w + front.pivot_rows;
-  for (Index b = 0; b < front.below; ++b, from += 3) {
-    double* to = all + 3L * sum_rows_[front.rows + b];
-    for (int i = 0; i < 3; ++i) to[i] += from[i];
-  }
-}
-
-void MultifrontalSolver::backward(const Front& front, double* all, double* w) const {
-  std::memset(w, 0, sizeof(double) * static_cast<std::size_t>(front.pivot_rows));
-  double* to = w + front.pivot_rows;
-  for (Index b = 0; b < front.below; ++b, to += 3) {
-    const double* from = all + 3L * symbolic_.rows[front.rows + b];
-    for (int i = 0; i < 3; ++i) to[i] = from[i];
-  }
-  std::fill(to, w + front.ld, 0.0);
-  kernels::active().backward(factor_.data() + front.panel, front.ld, front.pivots(), w,
-                             all + 3L * front.first);
-}
-
-void MultifrontalSolver::solve_one(Vec3* x) const {
-  const FlushDenormals flush;
-  const std::vector<Front>& fronts = symbolic_.fronts;
-  const std::size_t blocks = symbolic_.order.size();
-  for (std::size_t k = 0; k < blocks; ++k) permuted_[k] = x[symbolic_.order[k]];
-  std::fill(permuted_.begin() + static_cast<std::ptrdiff_t>(blocks), permuted_.end(), Vec3::Zero());
-  double* const all = permuted_.empty() ? nullptr : permuted_.front().data();
-  each_task([&](std::size_t t) {
-    const FrontTask& task = symbolic_.tasks[t];
-    double* const w = front_vector_.data() + front_vectors_[t];
-    for (Index f = task.begin; f < task.end; ++f) forward(fronts[f], all, w);
-  });
-  add_sums(all, 3);
-  for (const Index f : symbolic_.top) forward(fronts[f], all, front_vector_.data());
-  for (const Index f : std::views::reverse(symbolic_.top))
-    backward(fronts[f], all, front_vector_.data());
-  each_task([&](std::size_t t) {
-    const FrontTask& task = symbolic_.tasks[t];
-    double* const w = front_vector_.data() + front_vectors_[t];
-    for (Index f = task.end; f-- > task.begin;) backward(fronts[f], all, w);
-  });
-  for (std::size_t k = 0; k < blocks; ++k) x[symbolic_.order[k]] = permuted_[k];
-}
-
-// At most kLanes right-hand sides, one after the other in x. Lanes to spare are zero.
-void MultifrontalSolver::solve_together(Vec3* x, std::size_t count) const {
-  constexpr std::size_t kLanes = kernels::kLanes;
-  const FlushDenormals flush;
-  const std::size_t blocks = symbolic_.order.size();
-  lanes_.resize(3 * kLanes * permuted_.size());
-  // In the order of x: the rows of lanes are whole cache lines wherever they are.
-  for (std::size_t i = 0; i < blocks; ++i) {
-    double* const to = lanes_.data() + 3 * kLanes * static_cast<std::size_t>(position_[i]);
-    for (std::size_t c = 0; c < count; ++c) {
-      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = x[c * blocks + i][k];
-    }
-    for (std::size_t c = count; c < kLanes; ++c) {
-      for (int k = 0; k < 3; ++k) to[k * kLanes + c] = 0.0;
-    }
-  }
-  double* const all = lanes_.data();
-  std::fill(all + 3 * kLanes * blocks, all + 3 * kLanes * permuted_.size(), 0.0);
-  const auto sweep = [&](Index f, const std::vector<Index>& rows) {
-    const Front& front = symbolic_.fronts[f];
-    return kernels::Sweep{factor_.data() + front.panel,
-                          front.ld,
-                          front.pivots(),
-                          front.pivot_rows,
-                          rows.data() + front.rows,
-                          front.below,
-                          all + 3 * kLanes * static_cast<std::size_t>(front.first),
-                          all};
-  };
-  const kernels::KernelTable& kernel = kernels::active();
-  each_task([&](std::size_t t) {
-    const FrontTask& task = symbolic_.tasks[t];
-    for (Index f = task.begin; f < task.end; ++f) kernel.forward_lanes(sweep(f, sum_rows_));
-  });
-  add_sums(all, 3 * kLanes);
-  for (const Index f : symbolic_.top) kernel.forward_lanes(sweep(f, sum_rows_));
-  for (const Index f : std::views::reverse(symbolic_.top))
-    kernel.backward_lanes(sweep(f, symbolic_.rows));
-  each_task([&](std::size_t t) {
-    const FrontTask& task = symbolic_.tasks[t];
-    for (Index f = task.end; f-- > task.begin;) kernel.backward_lanes(sweep(f, symbolic_.rows));
-  });
-  for (std::size_t i = 0; i < blocks; ++i) {
-    const double* const from = lanes_.data() + 3 * kLanes * static_cast<std::size_t>(position_[i]);
-    for (std::size_t c = 0; c < count; ++c) {
-      for (int k = 0; k < 3; ++k) x[c * blocks + i][k] = from[k * kLanes + c];
-    }
-  }
-}
-
-}  // namespace
 
 std::unique_ptr<LinearSolver> make_multifrontal_solver() {
   return std::make_unique<MultifrontalSolver>();

@@ -34,7 +34,6 @@ class PcgSolver final : public LinearSolver {
     Index column, slot;
     bool turned;  // the block comes transposed
   };
-  void solve_one(Vec3* x) const;
   double multiply() const;                     // ap = A p; returns p . ap
   double advance(double step, Vec3* x) const;  // returns r . z for the next residual
   double start(Vec3* x) const;
@@ -105,26 +104,22 @@ bool PcgSolver::factor(const BlockMatrix& matrix) {
   return factored_;
 }
 
+// Where the matrix shows a direction of no positive curvature there is no answer but NaN.
 void PcgSolver::solve(std::vector<Vec3>& x) const {
   if (!factored_) throw Error("solve() needs a successful factor() before it");
-  if (rows() == 0 ? !x.empty() : x.size() % rows() != 0) {
+  if (x.size() != rows()) {
     throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
                             rows()));
   }
-  for (std::size_t at = 0; at < x.size(); at += rows()) solve_one(x.data() + at);
-}
-
-// Where the matrix shows a direction of no positive curvature there is no answer but NaN.
-void PcgSolver::solve_one(Vec3* x) const {
-  const double first = start(x);
+  const double first = start(x.data());
   double size = first;
   for (int k = 0; size > kTolerance * kTolerance * first; ++k) {
     const double curvature = multiply();
     if (!(curvature > 0.0) || k == kMostIterations) {
-      std::fill(x, x + rows(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+      std::fill(x.begin(), x.end(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
       return;
     }
-    const double next = advance(size / curvature, x);
+    const double next = advance(size / curvature, x.data());
     const double turn = next / size;
     size = next;
     parallel_for(rows(), kRows, [&](std::size_t begin, std::size_t end) {

@@ -39,6 +39,15 @@ class PieceSolver : public LinearSolver {
     return factor(matrix, &changed);
   }
   void solve(std::vector<Vec3>& x) const override;
+  void begin_bordered(const std::vector<BorderColumns>& border, const std::vector<Vec3>& r,
+                      Eigen::MatrixXd& products) const override {
+    if (with_pieces_) return LinearSolver::begin_bordered(border, r, products);
+    rest_->begin_bordered(border, r, products);
+  }
+  void end_bordered(const Eigen::VectorXd& c, std::vector<Vec3>& x) const override {
+    if (with_pieces_) return LinearSolver::end_bordered(c, x);
+    rest_->end_bordered(c, x);
+  }
   double factor_entries() const override { return rest_->factor_entries() + batches_.entries; }
   double factor_flops() const override { return rest_->factor_flops() + batches_.flops; }
 
@@ -48,7 +57,6 @@ class PieceSolver : public LinearSolver {
   void mark_changes(const std::vector<Index>& changed);
   bool eliminate(const BlockMatrix& matrix);
   void assemble_rest(const BlockMatrix& matrix);
-  void solve_one(Vec3* x) const;
   void forward(const PieceBatch& batch, const Vec3* x) const;
   void backward(const PieceBatch& batch, Vec3* x) const;
   template <class Body>
@@ -230,16 +238,12 @@ void PieceSolver::solve(std::vector<Vec3>& x) const {
   if (!with_pieces_) return rest_->solve(x);
   if (!factored_) throw Error("solve() needs a successful factor() before it");
   const auto blocks = static_cast<std::size_t>(blocks_);
-  if (x.size() % blocks != 0) {
+  if (x.size() != blocks) {
     throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}", x.size(),
                             blocks));
   }
-  for (std::size_t start = 0; start < x.size(); start += blocks) solve_one(x.data() + start);
-}
-
-void PieceSolver::solve_one(Vec3* x) const {
   for (std::size_t k = 0; k < rest_vector_.size(); ++k) rest_vector_[k] = x[batches_.kept[k]];
-  each_batch([&](std::size_t b) { forward(batches_.batches[b], x); });
+  each_batch([&](std::size_t b) { forward(batches_.batches[b], x.data()); });
   for (const PieceBatch& batch : batches_.batches) {
     const PieceShape& shape = batches_.shapes[batch.shape];
     const double* from = vectors_.data() + batch.vector + 3 * kLanes * shape.columns;
@@ -249,7 +253,7 @@ void PieceSolver::solve_one(Vec3* x) const {
         for (int k = 0; k < 3; ++k) rest_vector_[node[lane]][k] += from[k * kLanes + lane];
   }
   rest_->solve(rest_vector_);
-  each_batch([&](std::size_t b) { backward(batches_.batches[b], x); });
+  each_batch([&](std::size_t b) { backward(batches_.batches[b], x.data()); });
   for (std::size_t k = 0; k < rest_vector_.size(); ++k) x[batches_.kept[k]] = rest_vector_[k];
 }
 

@@ -73,16 +73,14 @@ class ReferenceSolver : public LinearSolver {
 
   void solve(std::vector<Vec3>& x) const override {
     if (!factored_) throw Error("solve() needs a successful factor() before it");
-    const auto blocks = static_cast<std::size_t>(blocks_);
-    if (blocks == 0 ? !x.empty() : x.size() % blocks != 0) {
+    if (x.size() != static_cast<std::size_t>(blocks_)) {
       throw Error(fmt::format("a right-hand side of {} blocks does not fit a matrix of {}",
-                              x.size(), blocks));
+                              x.size(), blocks_));
     }
     if (x.empty()) return;
-    Eigen::Map<Eigen::MatrixXd> columns(x.front().data(), 3 * blocks_,
-                                        static_cast<Eigen::Index>(x.size() / blocks));
-    const Eigen::MatrixXd solution = ldlt_.solve(columns);
-    columns = solution;
+    Eigen::Map<Eigen::VectorXd> vector(x.front().data(), 3 * blocks_);
+    const Eigen::VectorXd solution = ldlt_.solve(vector);
+    vector = solution;
   }
 
   // The pivots are stored apart from the strict lower triangle.

@@ -3,6 +3,7 @@
 
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/solve/linear_solver.hpp"
+#include "tests/solve/borders.hpp"
 #include "tests/solve/counted_new.hpp"
 #include "tests/solve/graphs.hpp"
 
@@ -22,18 +23,22 @@ TEST(Allocation, FactorAndSolveDoNone) {
     const BlockPattern pattern = test::hexagon_net(8, 4, test::Bend::hinged);
     const BlockMatrix matrix = test::random_matrix(pattern, 1);
     std::vector<Vec3> x = test::random_vector(pattern.blocks(), 2);
-    std::vector<Vec3> seven = test::random_vector(7 * pattern.blocks(), 3);
+    const test::Border border(1, pattern.blocks(), 3);
+    const Eigen::VectorXd c = Eigen::VectorXd::Ones(6);
+    Eigen::MatrixXd products;
     const auto solver = make();
     solver->analyse(pattern);
     ASSERT_TRUE(solver->factor(matrix));
     solver->solve(x);
-    solver->solve(seven);
+    solver->begin_bordered(border.columns, x, products);
+    solver->end_bordered(c, x);
     const long before = allocations;
     bool good = true;
     for (int repeat = 0; repeat < 3; ++repeat) {
       good = good && solver->factor(matrix);
       solver->solve(x);
-      solver->solve(seven);
+      solver->begin_bordered(border.columns, x, products);
+      solver->end_bordered(c, x);
     }
     EXPECT_EQ(allocations, before);
     EXPECT_TRUE(good);

@@ -3,6 +3,7 @@
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/solve/linear_solver.hpp"
 #include "retiarius/solve/symbolic.hpp"
+#include "tests/solve/borders.hpp"
 #include "tests/solve/graphs.hpp"
 
 namespace retiarius {
@@ -13,14 +14,17 @@ class Determinism : public testing::Test {
   void TearDown() override { set_threads(1); }
 };
 
-// For one right-hand side, then for seven.
+// For one right-hand side, then with a border.
 std::vector<Vec3> solution(LinearSolver& solver, const BlockMatrix& matrix) {
-  std::vector<Vec3> x = test::random_vector(matrix.pattern->blocks(), 91);
-  std::vector<Vec3> seven = test::random_vector(7 * matrix.pattern->blocks(), 94);
+  const Index blocks = matrix.pattern->blocks();
+  std::vector<Vec3> x = test::random_vector(blocks, 91), bordered;
+  const test::Border border(1, blocks, 94);
+  Eigen::MatrixXd products;
   EXPECT_TRUE(solver.factor(matrix));
   solver.solve(x);
-  solver.solve(seven);
-  x.insert(x.end(), seven.begin(), seven.end());
+  solver.begin_bordered(border.columns, x, products);
+  solver.end_bordered(products.rightCols(1), bordered);
+  x.insert(x.end(), bordered.begin(), bordered.end());
   return x;
 }
 

@@ -3,6 +3,7 @@
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/instruction_set.hpp"
 #include "retiarius/solve/linear_solver.hpp"
+#include "tests/solve/borders.hpp"
 #include "tests/solve/graphs.hpp"
 
 namespace retiarius {
@@ -42,13 +43,16 @@ TEST_F(Kernels, AllAgree) {
   for (const auto& [name, pattern] : test::all_patterns()) {
     const BlockMatrix matrix = test::random_matrix(pattern, 81);
     const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 82);
-    const std::vector<Vec3> seven = test::random_vector(7 * pattern.blocks(), 83);
+    const test::Border border(1, pattern.blocks(), 83);
+    const Eigen::VectorXd c = Eigen::VectorXd::LinSpaced(6, -1.0, 1.0);
+    Eigen::MatrixXd products, expected_products;
     solver->analyse(pattern);
     set_kernels("portable");
     ASSERT_TRUE(solver->factor(matrix));
-    std::vector<Vec3> expected = b, all_expected = seven;
+    std::vector<Vec3> expected = b, expected_bordered;
     solver->solve(expected);
-    solver->solve(all_expected);
+    solver->begin_bordered(border.columns, b, expected_products);
+    solver->end_bordered(c, expected_bordered);
     for (const std::string_view kernels : available_kernels()) {
       set_kernels(kernels);
       ASSERT_TRUE(solver->factor(matrix)) << name << ", " << kernels;
@@ -56,9 +60,10 @@ TEST_F(Kernels, AllAgree) {
       solver->solve(x);
       EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected))
           << name << ", " << kernels;
-      std::vector<Vec3> all = seven;
-      solver->solve(all);
-      EXPECT_LE(test::distance(all, all_expected), 1e-12 * test::norm(all_expected))
+      solver->begin_bordered(border.columns, b, products);
+      EXPECT_TRUE(products.isApprox(expected_products, 1e-12)) << name << ", " << kernels;
+      solver->end_bordered(c, x);
+      EXPECT_LE(test::distance(x, expected_bordered), 1e-12 * test::norm(expected_bordered))
           << name << ", " << kernels;
       BlockMatrix bad = matrix;
       if (pattern.blocks() == 0) continue;

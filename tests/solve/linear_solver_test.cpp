@@ -7,6 +7,7 @@
 
 #include "retiarius/base/error.hpp"
 #include "retiarius/base/instruction_set.hpp"
+#include "tests/solve/borders.hpp"
 #include "tests/solve/graphs.hpp"
 
 namespace retiarius {
@@ -212,45 +213,61 @@ TEST_P(LinearSolverTest, RefusesUseOutOfOrder) {
   EXPECT_THAT(error_of([&] { solver->solve(two_and_a_half); }), HasSubstr("10 blocks"));
 }
 
-std::vector<Vec3> column_of(const std::vector<Vec3>& all, Index blocks, int column) {
-  const auto first = all.begin() + static_cast<std::ptrdiff_t>(column) * blocks;
-  return {first, first + blocks};
+double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
 }
 
-TEST_P(LinearSolverTest, SolvesSeveralRightHandSidesAtOnce) {
+TEST_P(LinearSolverTest, SolvesBorderedSystems) {
   for (const auto& [name, pattern] : test::all_patterns()) {
     const Index blocks = pattern.blocks();
     solver->analyse(pattern);
     ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 61))) << name;
-    for (const int count : {0, 2, 3, 7, 8, 9, 13, 17}) {
-      std::vector<Vec3> all = test::random_vector(count * blocks, 62);
-      const std::vector<Vec3> given = all;
-      solver->solve(all);
-      for (int c = 0; c < count; ++c) {
-        std::vector<Vec3> single = column_of(given, blocks, c);
-        solver->solve(single);
-        EXPECT_LE(test::distance(column_of(all, blocks, c), single), 1e-13 * test::norm(single))
-            << name << ", column " << c << " of " << count;
+    for (const int bodies : {1, 2, 4}) {
+      const test::Border border(bodies, blocks, 62);
+      const std::vector<Vec3> r = test::random_vector(blocks, 63);
+      Eigen::MatrixXd products;
+      solver->begin_bordered(border.columns, r, products);
+      ASSERT_EQ(products.rows(), 6 * bodies);
+      ASSERT_EQ(products.cols(), 6 * bodies + 1);
+      for (Eigen::Index j = 0; j < products.cols(); ++j) {
+        std::vector<Vec3> x = r;
+        if (j < products.rows())
+          x = border.times(Eigen::VectorXd::Unit(products.rows(), j), blocks);
+        solver->solve(x);
+        for (Eigen::Index i = 0; i < products.rows(); ++i) {
+          const std::vector<Vec3> b =
+              border.times(Eigen::VectorXd::Unit(products.rows(), i), blocks);
+          EXPECT_NEAR(products(i, j), dot(b, x), 1e-12 * (1.0 + test::norm(b) * test::norm(x)))
+              << name << ", " << bodies << " bodies, " << i << ", " << j;
+        }
+      }
+      const Eigen::VectorXd c = Eigen::VectorXd::LinSpaced(6 * bodies, -1.0, 2.0);
+      std::vector<Vec3> expected = border.times(-c, blocks), x;
+      for (std::size_t i = 0; i < r.size(); ++i) expected[i] += r[i];
+      solver->solve(expected);
+      for (int again = 0; again < 2; ++again) {
+        solver->end_bordered(c, x);
+        EXPECT_LE(test::distance(x, expected), 1e-12 * test::norm(expected)) << name << bodies;
       }
     }
   }
 }
 
-TEST_P(LinearSolverTest, KeepsRightHandSidesApart) {
-  const BlockPattern pattern = test::hexagon_net(3, 4);
-  const Index blocks = pattern.blocks();
+TEST_P(LinearSolverTest, RefusesBordersOutOfOrder) {
+  const BlockPattern pattern = test::hexagon_net(2, 3);
   solver->analyse(pattern);
-  ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 63)));
-  std::vector<Vec3> all = test::random_vector(7 * blocks, 64);
-  std::vector<Vec3> other = all;
-  std::fill(other.begin() + 2 * blocks, other.begin() + 3 * blocks, Vec3::Constant(std::nan("")));
-  std::fill(other.begin() + 6 * blocks, other.end(), Vec3::Zero());
-  solver->solve(all);
-  solver->solve(other);
-  for (const int c : {0, 1, 3, 4, 5}) {
-    EXPECT_EQ(column_of(all, blocks, c), column_of(other, blocks, c)) << c;
-  }
-  for (const Vec3& x : column_of(other, blocks, 6)) EXPECT_EQ(x, Vec3(0, 0, 0));
+  const test::Border border(1, pattern.blocks(), 64);
+  std::vector<Vec3> r = test::random_vector(pattern.blocks(), 65), x;
+  Eigen::MatrixXd products;
+  EXPECT_THROW(solver->begin_bordered(border.columns, r, products), Error);
+  ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 66)));
+  EXPECT_THROW(solver->end_bordered(Eigen::VectorXd::Zero(6), x), Error);
+  solver->begin_bordered(border.columns, r, products);
+  EXPECT_THROW(solver->end_bordered(Eigen::VectorXd::Zero(12), x), Error);
+  r.pop_back();
+  EXPECT_THROW(solver->begin_bordered(border.columns, r, products), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, LinearSolverTest,
@@ -285,7 +302,7 @@ TEST(PieceSolver, AgreesWithTheReferenceOnEveryInstructionSet) {
       slow->analyse(pattern);
       ASSERT_TRUE(fast->factor(matrix)) << name;
       ASSERT_TRUE(slow->factor(matrix)) << name;
-      std::vector<Vec3> x = test::random_vector(3 * pattern.blocks(), 74);
+      std::vector<Vec3> x = test::random_vector(pattern.blocks(), 74);
       std::vector<Vec3> expected = x;
       fast->solve(x);
       slow->solve(expected);
