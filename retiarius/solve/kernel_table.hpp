@@ -66,7 +66,7 @@ struct KernelTable {
   // from the rows below. Lanes do not mix.
   void (*forward_lanes)(const Sweep& sweep);
 
-  // sums[kLanes i + j]: the sum over all rows of a's lane i times b's lane j. All three
+  // Adds to sums[kLanes i + j] the sum over all rows of a's lane i times b's lane j. All three
   // stand on cache lines.
   void (*products)(const double* a, const double* b, long rows, double* sums);
 };

@@ -16,7 +16,7 @@ namespace retiarius {
 
 void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   factored_ = has_parts_ = false;
-  lane_columns_ = kNone;
+  lane_columns_ = 0;
   symbolic_ = analyse_fronts(pattern, trials_);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
@@ -46,7 +46,7 @@ bool MultifrontalSolver::factor(const BlockMatrix& matrix, const std::vector<Ind
                     "{} and {}; analyse its pattern first",
                     matrix.diagonal.size(), matrix.below.size(), symbolic_.order.size(), pairs_));
   }
-  lane_columns_ = kNone;
+  lane_columns_ = 0;
   const bool again = changed && has_parts_;
   is_changed_.assign(symbolic_.fronts.size(), again ? 0 : 1);
   if (again) mark_changes(*changed);

@@ -59,12 +59,17 @@ class MultifrontalSolver : public LinearSolver {
   void check_size(std::size_t blocks) const;
   void forward(const Front& front, double* all, double* w) const;
   void backward(const Front& front, double* all, double* w) const;
-  void forward_lanes(Index front, double* all) const;
   void forward_all() const;
   void backward_all() const;
-  void forward_all_lanes(double* all) const;
-  std::size_t lanes_size() const { return 3 * kernels::kLanes * permuted_.size(); }
-  void add_products(Eigen::MatrixXd& products, std::size_t group, std::size_t other) const;
+  void mark_reached(const std::vector<BorderColumns>& border) const;
+  template <class Body>
+  void for_reached(const Body& body) const;
+  void fill_lanes(const std::vector<BorderColumns>& border) const;
+  void forward_half(Index front, double* w) const;
+  void find_products(Eigen::MatrixXd& products) const;
+  double* lanes_of(std::size_t group) const {
+    return lanes_.data() + group * 3 * kernels::kLanes * half_.size();
+  }
 
   // `memory` is the task's; one thread has its own.
   double* update_of(const Front& front, double* memory) {
@@ -85,15 +90,19 @@ class MultifrontalSolver : public LinearSolver {
   std::size_t kept_size_ = 0;
   std::vector<std::size_t> kept_updates_;  // where each front's begins
   bool has_parts_ = false;
-  std::vector<char> is_changed_;               // whether each front depends on a block that changed
-  mutable AlignedArray front_vector_;          // of the top, then one a task
-  std::vector<std::size_t> front_vectors_;     // where those of the tasks begin
-  std::vector<Index> sum_rows_;                // see place_sums()
-  std::vector<Index> sum_starts_;              // of each task's own places
-  mutable std::vector<Vec3> permuted_;         // the blocks, then the tasks' own places
-  mutable Eigen::Index lane_columns_ = kNone;  // columns of begin_bordered() with this factor
-  mutable AlignedArray lanes_;           // of begin_bordered(), kLanes right-hand sides interleaved
-  const BlockMatrix* matrix_ = nullptr;  // while factor() runs
+  std::vector<char> is_changed_;            // whether each front depends on a block that changed
+  mutable AlignedArray front_vector_;       // of the top, then one a task
+  std::vector<std::size_t> front_vectors_;  // where those of the tasks begin
+  std::vector<Index> sum_rows_;             // see place_sums()
+  std::vector<Index> sum_starts_;           // of each task's own places
+  mutable std::vector<Vec3> permuted_;      // the blocks, then the tasks' own places
+  // Of begin_bordered(): kLanes columns interleaved, group after group, of the border and then r,
+  // at the fronts that the border reaches; at the others r alone.
+  mutable AlignedArray lanes_;
+  mutable std::vector<Vec3> half_;
+  mutable std::vector<char> reached_;
+  mutable std::size_t lane_columns_ = 0;  // of the border; 0: none with this factor
+  const BlockMatrix* matrix_ = nullptr;   // while factor() runs
   const kernels::KernelTable* kernels_ = nullptr;
   bool side_by_side_ = false;  // by tasks
   std::atomic<bool> failed_ = false;

@@ -14,6 +14,7 @@ namespace retiarius {
 namespace {
 
 constexpr std::size_t kLanes = kernels::kLanes;
+constexpr std::size_t kLine = 3 * kLanes;     // numbers of a block in all lanes
 constexpr std::size_t kSmallFactor = 100000;  // scalars that one thread reads as quickly as several
 
 }  // namespace
@@ -141,20 +142,67 @@ void MultifrontalSolver::solve(std::vector<Vec3>& x) const {
   for (std::size_t k = 0; k < x.size(); ++k) x[symbolic_.order[k]] = permuted_[k];
 }
 
-void MultifrontalSolver::forward_lanes(Index f, double* all) const {
-  const Front& front = symbolic_.fronts[f];
-  kernels::active().forward_lanes({factor_.data() + front.panel, front.ld, front.pivots(),
-                                   front.pivot_rows, sum_rows_.data() + front.rows, front.below,
-                                   all + 3 * kLanes * static_cast<std::size_t>(front.first), all});
+// Places of consecutive reached fronts, as ranges.
+template <class Body>
+void MultifrontalSolver::for_reached(const Body& body) const {
+  for (std::size_t f = 0; f < reached_.size(); ++f) {
+    if (!reached_[f]) continue;
+    const auto begin = static_cast<std::size_t>(symbolic_.fronts[f].first);
+    while (f + 1 < reached_.size() && reached_[f + 1]) ++f;
+    body(begin, static_cast<std::size_t>(symbolic_.fronts[f].first + symbolic_.fronts[f].columns));
+  }
 }
 
-void MultifrontalSolver::forward_all_lanes(double* all) const {
-  each_task([&](std::size_t t) {
-    const FrontTask& task = symbolic_.tasks[t];
-    for (Index f = task.begin; f < task.end; ++f) forward_lanes(f, all);
-  });
-  add_sums(all, 3 * kLanes);
-  for (const Index f : symbolic_.top) forward_lanes(f, all);
+// The fronts of the border's nodes, and all that are above these: elsewhere its columns stay zero.
+void MultifrontalSolver::mark_reached(const std::vector<BorderColumns>& border) const {
+  reached_.assign(symbolic_.fronts.size(), 0);
+  for (const BorderColumns& b : border)
+    for (const Index node : *b.nodes) reached_[front_of_[position_[node]]] = 1;
+  for (std::size_t f = 0; f < reached_.size(); ++f) {
+    const Index parent = symbolic_.fronts[f].parent;
+    if (reached_[f] && parent != kNone) reached_[parent] = 1;
+  }
+}
+
+// Zero in all lanes where fronts are reached, but for the border's columns.
+void MultifrontalSolver::fill_lanes(const std::vector<BorderColumns>& border) const {
+  const std::size_t blocks = symbolic_.order.size();
+  const auto clear = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = 0; g <= lane_columns_ / kLanes; ++g)
+      std::fill(lanes_of(g) + kLine * begin, lanes_of(g) + kLine * end, 0.0);
+  };
+  for_reached(clear);
+  clear(blocks, half_.size());
+  for (std::size_t b = 0; b < border.size(); ++b) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      const std::size_t column = 6 * b + c;
+      double* const first = lanes_of(column / kLanes) + column % kLanes;
+      for (std::size_t i = 0; i < border[b].nodes->size(); ++i) {
+        const auto place = static_cast<std::size_t>(position_[(*border[b].nodes)[i]]);
+        for (std::size_t k = 0; k < 3; ++k)
+          first[kLine * place + k * kLanes] =
+              (*border[b].rows)[i](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k));
+      }
+    }
+  }
+}
+
+// Forward substitution by one front: of r alone where the border does not reach it; else r goes on
+// in a lane behind the border's.
+void MultifrontalSolver::forward_half(Index f, double* w) const {
+  const Front& front = symbolic_.fronts[f];
+  if (!reached_[f]) return forward(front, half_.front().data(), w);
+  const std::size_t last = lane_columns_ / kLanes;
+  const auto first = static_cast<std::size_t>(front.first);
+  double* to = lanes_of(last) + kLine * first + lane_columns_ % kLanes;
+  const double* const own = half_[first].data();
+  for (int k = 0; k < front.pivots(); ++k, to += kLanes) *to += own[k];
+  for (std::size_t g = 0; g <= last; ++g) {
+    double* const all = lanes_of(g);
+    kernels::active().forward_lanes({factor_.data() + front.panel, front.ld, front.pivots(),
+                                     front.pivot_rows, sum_rows_.data() + front.rows, front.below,
+                                     all + kLine * first, all});
+  }
 }
 
 // With A = L L^T all that is wanted of A^-1 B are the products with B, (L^-1 B)^T L^-1 [B r].
@@ -163,72 +211,68 @@ void MultifrontalSolver::begin_bordered(const std::vector<BorderColumns>& border
                                         Eigen::MatrixXd& products) const {
   check_size(r.size());
   const FlushDenormals flush;
-  const std::size_t columns = 6 * border.size(), groups = columns / kLanes + 1;
-  lanes_.resize(groups * lanes_size());
-  std::fill_n(lanes_.data(), groups * lanes_size(), 0.0);
-  const auto first_of = [&](std::size_t column) {
-    return lanes_.data() + column / kLanes * lanes_size() + column % kLanes;
-  };
-  for (std::size_t b = 0; b < border.size(); ++b) {
-    for (std::size_t c = 0; c < 6; ++c) {
-      double* const first = first_of(6 * b + c);
-      for (std::size_t i = 0; i < border[b].nodes->size(); ++i) {
-        const auto place = static_cast<std::size_t>(position_[(*border[b].nodes)[i]]);
-        for (std::size_t k = 0; k < 3; ++k)
-          first[(3 * place + k) * kLanes] =
-              (*border[b].rows)[i](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k));
-      }
-    }
-  }
-  double* const first = first_of(columns);
-  for (std::size_t i = 0; i < r.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      first[(3 * static_cast<std::size_t>(position_[i]) + k) * kLanes] =
-          r[i][static_cast<Eigen::Index>(k)];
-  lane_columns_ = static_cast<Eigen::Index>(columns);
-  for (std::size_t g = 0; g < groups; ++g) forward_all_lanes(lanes_.data() + g * lanes_size());
-  products.resize(static_cast<Eigen::Index>(columns), static_cast<Eigen::Index>(columns + 1));
-  for (std::size_t g = 0; g < groups; ++g)
-    for (std::size_t other = 0; other < groups; ++other) add_products(products, g, other);
+  mark_reached(border);
+  lane_columns_ = 6 * border.size();
+  half_.resize(permuted_.size());
+  lanes_.resize((lane_columns_ / kLanes + 1) * kLine * half_.size());
+  for (std::size_t k = 0; k < r.size(); ++k) half_[k] = r[symbolic_.order[k]];
+  std::fill(half_.begin() + static_cast<std::ptrdiff_t>(r.size()), half_.end(), Vec3::Zero());
+  fill_lanes(border);
+  each_task([&](std::size_t t) {
+    const FrontTask& task = symbolic_.tasks[t];
+    double* const w = front_vector_.data() + front_vectors_[t];
+    for (Index f = task.begin; f < task.end; ++f) forward_half(f, w);
+  });
+  if (!half_.empty()) add_sums(half_.front().data(), 3);
+  for (std::size_t g = 0; g <= lane_columns_ / kLanes; ++g) add_sums(lanes_of(g), kLine);
+  for (const Index f : symbolic_.top) forward_half(f, front_vector_.data());
+  find_products(products);
 }
 
-// The products of the columns in one group of lanes with those in another.
-void MultifrontalSolver::add_products(Eigen::MatrixXd& products, std::size_t group,
-                                      std::size_t other) const {
-  alignas(64) double sums[kLanes * kLanes];
-  kernels::active().products(lanes_.data() + group * lanes_size(),
-                             lanes_.data() + other * lanes_size(),
-                             3 * static_cast<long>(symbolic_.order.size()), sums);
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    for (std::size_t j = 0; j < kLanes; ++j) {
-      const auto row = static_cast<Eigen::Index>(group * kLanes + i);
-      const auto column = static_cast<Eigen::Index>(other * kLanes + j);
-      if (row < products.rows() && column < products.cols())
-        products(row, column) = sums[i * kLanes + j];
+void MultifrontalSolver::find_products(Eigen::MatrixXd& products) const {
+  const auto columns = static_cast<Eigen::Index>(lane_columns_);
+  products.resize(columns, columns + 1);
+  for (std::size_t g = 0; g <= lane_columns_ / kLanes; ++g) {
+    for (std::size_t other = 0; other <= lane_columns_ / kLanes; ++other) {
+      alignas(64) double sums[kLanes * kLanes] = {};
+      for_reached([&](std::size_t begin, std::size_t end) {
+        kernels::active().products(lanes_of(g) + kLine * begin, lanes_of(other) + kLine * begin,
+                                   3 * static_cast<long>(end - begin), sums);
+      });
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t j = 0; j < kLanes; ++j) {
+          const auto row = static_cast<Eigen::Index>(g * kLanes + i);
+          const auto column = static_cast<Eigen::Index>(other * kLanes + j);
+          if (row < columns && column <= columns) products(row, column) = sums[i * kLanes + j];
+        }
+      }
     }
   }
 }
 
 void MultifrontalSolver::end_bordered(const Eigen::VectorXd& c, std::vector<Vec3>& x) const {
-  if (c.size() != lane_columns_)
+  if (c.size() == 0 || static_cast<std::size_t>(c.size()) != lane_columns_)
     throw Error("end_bordered() needs begin_bordered() with as many columns before it");
   const FlushDenormals flush;
-  const auto columns = static_cast<std::size_t>(c.size());
   x.resize(symbolic_.order.size());
-  for (std::size_t g = 0; g <= columns / kLanes; ++g) {
-    double share[kLanes] = {};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::size_t column = g * kLanes + i;
-      if (column < columns) share[i] = -c[static_cast<Eigen::Index>(column)];
-      if (column == columns) share[i] = 1.0;
+  std::copy(half_.begin(), half_.begin() + static_cast<std::ptrdiff_t>(x.size()),
+            permuted_.begin());
+  for_reached([&](std::size_t begin, std::size_t end) {
+    std::fill(permuted_.begin() + static_cast<std::ptrdiff_t>(begin),
+              permuted_.begin() + static_cast<std::ptrdiff_t>(end), Vec3::Zero());
+    for (std::size_t g = 0; g <= lane_columns_ / kLanes; ++g) {
+      double share[kLanes] = {};
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::size_t column = g * kLanes + i;
+        if (column < lane_columns_) share[i] = -c[static_cast<Eigen::Index>(column)];
+        if (column == lane_columns_) share[i] = 1.0;
+      }
+      const double* from = lanes_of(g) + kLine * begin;
+      for (std::size_t k = begin; k < end; ++k)
+        for (int d = 0; d < 3; ++d, from += kLanes)
+          for (std::size_t i = 0; i < kLanes; ++i) permuted_[k][d] += share[i] * from[i];
     }
-    const double* from = lanes_.data() + g * lanes_size();
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      if (g == 0) permuted_[k].setZero();
-      for (int d = 0; d < 3; ++d, from += kLanes)
-        for (std::size_t i = 0; i < kLanes; ++i) permuted_[k][d] += share[i] * from[i];
-    }
-  }
+  });
   backward_all();
   for (std::size_t k = 0; k < x.size(); ++k) x[symbolic_.order[k]] = permuted_[k];
 }

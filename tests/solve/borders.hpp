@@ -8,17 +8,17 @@
 
 namespace retiarius::test {
 
-// A border of some bodies' columns at a few nodes each.
+// A border of some bodies' columns, at one node of `stride` each.
 struct Border {
   std::vector<std::vector<Index>> nodes;
   std::vector<std::vector<Mat63>> rows;
   std::vector<BorderColumns> columns;
 
-  Border(int bodies, Index blocks, unsigned seed) : nodes(bodies), rows(bodies) {
+  Border(int bodies, Index blocks, unsigned seed, Index stride = 2) : nodes(bodies), rows(bodies) {
     const std::vector<Vec3> values = random_vector(6 * bodies * blocks, seed);
     auto next = values.begin();
     for (int b = 0; b < bodies; ++b) {
-      for (Index i = (b + blocks) % 3; i < blocks; i += 2 + b) {
+      for (Index i = (b + blocks) % 3; i < blocks; i += stride + b) {
         nodes[b].push_back(i);
         rows[b].emplace_back();
         for (int c = 0; c < 6; ++c) rows[b].back().row(c) = (next++)->transpose();

@@ -224,8 +224,8 @@ TEST_P(LinearSolverTest, SolvesBorderedSystems) {
     const Index blocks = pattern.blocks();
     solver->analyse(pattern);
     ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 61))) << name;
-    for (const int bodies : {1, 2, 4}) {
-      const test::Border border(bodies, blocks, 62);
+    for (const auto& [bodies, stride] : {std::pair{1, 2}, {1, 50}, {1, 1000000}, {2, 3}, {4, 70}}) {
+      const test::Border border(bodies, blocks, 62, stride);
       const std::vector<Vec3> r = test::random_vector(blocks, 63);
       Eigen::MatrixXd products;
       solver->begin_bordered(border.columns, r, products);
