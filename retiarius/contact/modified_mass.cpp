@@ -41,6 +41,7 @@ ModifiedMass::ModifiedMass(const std::vector<Body>& bodies, std::vector<double> 
       mass_(std::move(mass)),
       friction_(spec.friction),
       friction_tolerance_(spec.friction_tolerance),
+      known_(bodies.size() * radius_.size()),
       contact_of_(radius_.size(), kNone),
       released_(radius_.size(), 0) {}
 
@@ -85,18 +86,22 @@ void ModifiedMass::begin(const Step& step, const std::vector<Vec3>& predicted,
 }
 
 // Follows the straight path of a node relative to the body, advancing by the distance to the
-// surface, until it touches. True with the place of entry in body axes.
-bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState& end,
-                         Vec3& hit) const {
+// surface, until it touches. True with the place of entry in body axes. A path that is shorter than
+// what is known of its distance from the surface need not be followed.
+bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) {
   const Shape& shape = *(*bodies_)[body].shape;
   const Vec3 from = to_body(start_->bodies[body], start_->x[node]);
   const Vec3 to = to_body(end, x1);
   const double depth = (released_[node] ? 10.0 : 1.0) * kEntryDepth * radius_[node];
   const double length = (to - from).norm();
+  Known& known = known_[static_cast<std::size_t>(body) * radius_.size() + node];
+  if (known.distance - (from - known.place).norm() - radius_[node] >= length) return false;
   double t = 0.0;
   for (int k = 0; k < kMostPathSteps; ++k) {
     const Vec3 p = from + t * (to - from);
-    const double gap = shape.nearest(p).distance - radius_[node];
+    const double distance = shape.nearest(p).distance;
+    const double gap = distance - radius_[node];
+    if (k == 0) known = {from, distance};
     if (gap < -depth) {
       hit = p;
       return true;

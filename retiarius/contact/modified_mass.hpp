@@ -39,9 +39,16 @@ class ModifiedMass final : public ContactResponse {
     double limit = 0.0;  // friction on a sliding node at most, N
   };
 
+  // The distance from a body's surface at a place in its axes, m. Elsewhere it is smaller by at
+  // most the way there.
+  struct Known {
+    Vec3 place = Vec3::Zero();
+    double distance = -kInfinity;
+  };
+
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
   bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
-  bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) const;
+  bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit);
   Contact enter(Index node, Index body, const Vec3& hit, const Vec3& end) const;
   bool release(const std::vector<Vec3>& x1, const std::vector<Vec3>& reaction);
   bool revise_friction(const std::vector<Vec3>& reaction, bool changed);
@@ -60,6 +67,7 @@ class ModifiedMass final : public ContactResponse {
   std::vector<Vec3> end_;       // of the nodes, then
   std::vector<bool> held_;
   std::vector<Contact> contacts_;  // ordered by node
+  std::vector<Known> known_;       // of each node, body after body: spares questions, no more
   std::vector<Index> contact_of_;  // of each node, or kNone
   std::vector<char> released_;     // in this step
   int revisions_ = 0;
