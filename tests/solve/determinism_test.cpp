@@ -14,11 +14,11 @@ class Determinism : public testing::Test {
   void TearDown() override { set_threads(1); }
 };
 
-// For one right-hand side, then with a border.
+// For one right-hand side, then with a border that reaches some of the fronts.
 std::vector<Vec3> solution(LinearSolver& solver, const BlockMatrix& matrix) {
   const Index blocks = matrix.pattern->blocks();
   std::vector<Vec3> x = test::random_vector(blocks, 91), bordered;
-  const test::Border border(1, blocks, 94);
+  const test::Border border(2, blocks, 94, blocks / 3 + 1);
   Eigen::MatrixXd products;
   EXPECT_TRUE(solver.factor(matrix));
   solver.solve(x);
