@@ -24,7 +24,7 @@ class BoxTree {
   // that matters: it depends on the boxes alone.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    visit_from(box, 0, std::forward<Visit>(visit));
+    if (!empty()) visit_below(1, box, std::forward<Visit>(visit));
   }
 
   // Calls visit(i, j) with i < j for all overlapping boxes of the tree, those whose first leaf in
@@ -35,9 +35,9 @@ class BoxTree {
   std::size_t size() const { return order_.size(); }
 
  private:
-  // Only leaves at or after `first` in the tree's order.
+  // Only leaves below this node.
   template <class Visit>
-  void visit_from(const Box& box, std::size_t first, Visit&& visit) const;
+  void visit_below(std::size_t root, const Box& box, Visit&& visit) const;
 
   // Node k has the children 2k and 2k + 1; leaves are nodes leaves_ .. leaves_ + size() - 1.
   std::vector<Box> nodes_;
@@ -47,16 +47,15 @@ class BoxTree {
 };
 
 template <class Visit>
-void BoxTree::visit_from(const Box& box, std::size_t first, Visit&& visit) const {
-  if (empty()) return;
+void BoxTree::visit_below(std::size_t root, const Box& box, Visit&& visit) const {
   std::size_t stack[128];
   int depth = 0;
-  stack[depth++] = 1;
+  stack[depth++] = root;
   while (depth > 0) {
     const std::size_t node = stack[--depth];
     if (!nodes_[node].intersects(box)) continue;
     if (node >= leaves_) {
-      if (node - leaves_ >= first) visit(order_[node - leaves_]);
+      visit(order_[node - leaves_]);
       continue;
     }
     stack[depth++] = 2 * node + 1;
@@ -64,12 +63,16 @@ void BoxTree::visit_from(const Box& box, std::size_t first, Visit&& visit) const
   }
 }
 
+// What comes after a leaf is below the right siblings of the nodes on its way up.
 template <class Visit>
 void BoxTree::visit_pairs(std::size_t begin, std::size_t end, Visit&& visit) const {
   for (std::size_t leaf = begin; leaf < end; ++leaf) {
     const Index i = order_[leaf];
-    visit_from(nodes_[leaves_ + leaf], leaf + 1,
-               [&](Index j) { i < j ? visit(i, j) : visit(j, i); });
+    const Box& box = nodes_[leaves_ + leaf];
+    for (std::size_t node = leaves_ + leaf; node > 1; node /= 2) {
+      if (node % 2 == 0)
+        visit_below(node + 1, box, [&](Index j) { i < j ? visit(i, j) : visit(j, i); });
+    }
   }
 }
 

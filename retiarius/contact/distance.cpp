@@ -8,6 +8,12 @@ namespace {
 
 constexpr double kSmallestSine = 1e-10;  // of edges whose interiors are compared
 
+// Of edges whose places inside both are nearest beyond doubt, so that no end need be looked at.
+constexpr double kClearSine = 1e-3;
+
+// Of squares of distances, relative, with room to spare.
+constexpr double kSquareRounding = 1e-12;
+
 // Any unit vector across `along`, which need not be a unit vector.
 Vec3 any_normal(const Vec3& along) {
   if (along.isZero(0.0)) return Vec3::UnitZ();
@@ -167,25 +173,52 @@ bool inside_both(const PairPositions& p, const Vec3& cross, double& s, double& t
   return s > 0.0 && s < 1.0;
 }
 
+// An end of one edge against the other edge: point i against a-b, see point_edge().
+struct EndAgainstEdge {
+  std::size_t i, a, b;
+  double sign;
+};
+constexpr std::array<EndAgainstEdge, 4> kEnds{
+    {{0, 2, 3, 1.0}, {1, 2, 3, 1.0}, {2, 0, 1, -1.0}, {3, 0, 1, -1.0}}};
+
+// The nearest of the four. Squares, known to rounding, sort out those that are clearly farther.
+Distance nearest_end(const PairPositions& p, const Vec3& cross, double extent2) {
+  std::array<double, 4> square;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto [i, a, b, sign] = kEnds[k];
+    const double t = nearest_share(p[i], p[a], p[b]);
+    square[k] = ((1.0 - t) * (p[a] - p[i]) + t * (p[b] - p[i])).squaredNorm();
+  }
+  const double least = *std::min_element(square.begin(), square.end());
+  const double limit =
+      (1.0 + kSquareRounding) * least + kSquareRounding * kSquareRounding * extent2;
+  Distance best;
+  best.value = kInfinity;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (square[k] > limit) continue;
+    const auto [i, a, b, sign] = kEnds[k];
+    const Distance other = point_edge(p, i, a, b, sign, cross);
+    if (other.value < best.value) best = other;
+  }
+  return best;
+}
+
 Distance edge_edge(const PairPositions& p) {
   const Vec3 a = p[1] - p[0], b = p[3] - p[2];
   const Vec3 cross = a.cross(b);
-  Distance best = point_edge(p, 0, 2, 3, 1.0, cross);
-  const auto consider = [&](const Distance& other) {
-    if (other.value < best.value) best = other;
-  };
-  consider(point_edge(p, 1, 2, 3, 1.0, cross));
-  consider(point_edge(p, 2, 0, 1, -1.0, cross));
-  consider(point_edge(p, 3, 0, 1, -1.0, cross));
-  const double scale = a.norm() * b.norm();
-  const double sine = scale > 0.0 ? cross.norm() / scale : 0.0;
+  const double scale = std::sqrt(a.squaredNorm() * b.squaredNorm());
+  const double size = cross.norm();
+  const double sine = scale > 0.0 ? size / scale : 0.0;
   double s = 0.0, t = 0.0;
+  Distance inner;
+  inner.value = kInfinity;
   if (sine > kSmallestSine && inside_both(p, cross, s, t)) {
-    const Distance inner =
-        finish({1.0 - s, s, t - 1.0, -t}, p, cross.normalized(), sine, extent_of(p, 4));
-    if (inner.value <= best.value) best = inner;
+    inner = finish({1.0 - s, s, t - 1.0, -t}, p, cross / size, sine, extent_of(p, 4));
+    if (sine > kClearSine) return inner;
   }
-  return best;
+  const double extent2 = std::max(a.squaredNorm(), b.squaredNorm());
+  const Distance best = nearest_end(p, cross, extent2);
+  return inner.value <= best.value ? inner : best;
 }
 
 Distance point_plane(const PairPositions& p) {
