@@ -49,9 +49,12 @@ class LinearSolver {
 
   // For a matrix A bordered by dense columns B, where solutions are wanted only together: the first
   // half makes the products B^T A^-1 [B r] of which the border's Schur complement is made, the
-  // second the solution A^-1 (r - B c) for what that gives. As solve() otherwise.
+  // second the solution A^-1 (r - B c) for what that gives. As solve() otherwise. The first half
+  // may be repeated for another r with the same factor and border, with the products it has made.
   virtual void begin_bordered(const std::vector<BorderColumns>& border, const std::vector<Vec3>& r,
                               Eigen::MatrixXd& products) const;
+  virtual void repeat_bordered(const std::vector<BorderColumns>& border, const std::vector<Vec3>& r,
+                               Eigen::MatrixXd& products) const;
   virtual void end_bordered(const Eigen::VectorXd& c, std::vector<Vec3>& x) const;
 
   // Numbers of the analysis: nonzero scalars of the factor and floating-point operations.
@@ -59,6 +62,9 @@ class LinearSolver {
   virtual double factor_flops() const = 0;
 
  private:
+  void find_products(const std::vector<BorderColumns>& border, Eigen::Index column,
+                     Eigen::MatrixXd& products) const;
+
   mutable std::vector<std::vector<Vec3>> bordered_;  // A^-1 [B r], column by column
   mutable Eigen::Index border_ = kNone;              // columns of B there
 };

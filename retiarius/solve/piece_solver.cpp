@@ -44,6 +44,11 @@ class PieceSolver : public LinearSolver {
     if (with_pieces_) return LinearSolver::begin_bordered(border, r, products);
     rest_->begin_bordered(border, r, products);
   }
+  void repeat_bordered(const std::vector<BorderColumns>& border, const std::vector<Vec3>& r,
+                       Eigen::MatrixXd& products) const override {
+    if (with_pieces_) return LinearSolver::repeat_bordered(border, r, products);
+    rest_->repeat_bordered(border, r, products);
+  }
   void end_bordered(const Eigen::VectorXd& c, std::vector<Vec3>& x) const override {
     if (with_pieces_) return LinearSolver::end_bordered(c, x);
     rest_->end_bordered(c, x);

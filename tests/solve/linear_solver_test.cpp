@@ -255,6 +255,63 @@ TEST_P(LinearSolverTest, SolvesBorderedSystems) {
   }
 }
 
+TEST_P(LinearSolverTest, RepeatsBorderedSystemsForOtherRightSides) {
+  for (const auto& [name, pattern] : test::all_patterns()) {
+    const Index blocks = pattern.blocks();
+    solver->analyse(pattern);
+    ASSERT_TRUE(solver->factor(test::random_matrix(pattern, 67))) << name;
+    const test::Border border(2, blocks, 68, 5);
+    const std::vector<Vec3> first = test::random_vector(blocks, 69);
+    const std::vector<Vec3> second = test::random_vector(blocks, 70);
+    const Eigen::VectorXd c = Eigen::VectorXd::LinSpaced(12, -1.0, 2.0);
+    Eigen::MatrixXd expected, products;
+    std::vector<Vec3> x_expected, x;
+    solver->begin_bordered(border.columns, second, expected);
+    solver->end_bordered(c, x_expected);
+    solver->begin_bordered(border.columns, first, products);
+    solver->repeat_bordered(border.columns, second, products);
+    solver->end_bordered(c, x);
+    EXPECT_EQ(products, expected) << name;
+    EXPECT_EQ(x, x_expected) << name;
+  }
+}
+
+// The reference, with its solutions counted.
+class CountedSolver : public LinearSolver {
+ public:
+  mutable int solutions = 0;
+
+  std::string_view name() const override { return "counted"; }
+  void analyse(const BlockPattern& pattern) override { solver_->analyse(pattern); }
+  bool factor(const BlockMatrix& matrix) override { return solver_->factor(matrix); }
+  void solve(std::vector<Vec3>& x) const override {
+    ++solutions;
+    solver_->solve(x);
+  }
+  double factor_entries() const override { return solver_->factor_entries(); }
+  double factor_flops() const override { return solver_->factor_flops(); }
+
+ private:
+  std::unique_ptr<LinearSolver> solver_ = make_reference_solver();
+};
+
+TEST(BorderedSystems, AreRepeatedWithOneSolution) {
+  const BlockPattern pattern = test::hexagon_net(2, 3);
+  CountedSolver solver;
+  solver.analyse(pattern);
+  ASSERT_TRUE(solver.factor(test::random_matrix(pattern, 71)));
+  const test::Border border(1, pattern.blocks(), 72);
+  const std::vector<Vec3> r = test::random_vector(pattern.blocks(), 73);
+  Eigen::MatrixXd products;
+  EXPECT_THROW(solver.repeat_bordered(border.columns, r, products), Error);
+  solver.begin_bordered(border.columns, r, products);
+  EXPECT_EQ(solver.solutions, 7);
+  solver.repeat_bordered(border.columns, r, products);
+  EXPECT_EQ(solver.solutions, 8);
+  const test::Border other(2, pattern.blocks(), 74);
+  EXPECT_THROW(solver.repeat_bordered(other.columns, r, products), Error);
+}
+
 TEST_P(LinearSolverTest, RefusesBordersOutOfOrder) {
   const BlockPattern pattern = test::hexagon_net(2, 3);
   solver->analyse(pattern);
