@@ -63,6 +63,8 @@ class StepProblem final : public NewtonProblem {
   double slope() const override;
   double free_fraction(double wanted) override;
   void move(double fraction) override;
+  void keep_direction() override;
+  void restore_direction() override;
   void linearise() override;
   double direction_size() const override;
   double residual_ratio() const override;
@@ -89,7 +91,7 @@ class StepProblem final : public NewtonProblem {
   std::vector<Index> couplings() const;
   // The largest residual and where it is, for messages.
   std::pair<double, Index> largest_residual() const;
-  // Directions that were solved for once more in this step because of what becomes taut.
+  // Directions that were solved for again in this step because of what becomes taut.
   int foreseen_directions() const { return foreseen_directions_; }
   const LinearSolver& solver() const { return *active_; }
   const BlockPattern& pattern() const { return pattern_; }
@@ -155,8 +157,8 @@ class StepProblem final : public NewtonProblem {
   void note_changes();
   void start_direction();
   void finish_direction();
-  void solve_direction();
-  void solve_bordered();
+  void solve_direction(bool again);
+  void solve_bordered(bool again);
   const std::vector<Vec6>& reduced_body_gradient() const;
   Mat36 lever_map(const Constraint& c) const;
   Vec3 slip(const Constraint& c) const;
@@ -184,13 +186,15 @@ class StepProblem final : public NewtonProblem {
   std::vector<Vec3> slips_before_;       // of each where the last direction began; or empty
   std::vector<Mat6> body_mass_;          // times inertia, N/m and N m
   std::vector<Vec3> y_, base_y_, dy_, gradient_;
-  bool one_sided_ = false;             // whether any law is
-  std::vector<Vec3> foreseen_;         // what hold() and foresee() add to the gradient
-  std::vector<Mat3> diagonal_before_;  // of the matrix, without what foresee() adds
-  std::vector<Index> changed_;         // nodes with blocks of the matrix that foresee() changed
-  bool led_here_ = false;              // whether the last direction leads to the present iterate
+  std::vector<Vec3> kept_base_y_, kept_dy_;  // see keep_direction()
+  bool one_sided_ = false;                   // whether any law is
+  std::vector<Vec3> foreseen_;               // what hold() and foresee() add to the gradient
+  std::vector<Mat3> diagonal_before_;        // of the matrix, without what foresee() adds
+  std::vector<Index> changed_;  // nodes with blocks of the matrix that foresee() changed
+  bool led_here_ = false;       // whether the last direction leads to the present iterate
   int foreseen_directions_ = 0;
   std::vector<Vec6> b_, base_b_, db_, body_gradient_;
+  std::vector<Vec6> kept_base_b_, kept_db_;
   mutable std::vector<Vec6> reduced_;  // see reduced_body_gradient()
   mutable std::vector<double> lever_;  // the longest of each body, m
   std::vector<Vec3> end_positions_;    // for contact

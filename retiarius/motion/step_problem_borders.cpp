@@ -90,14 +90,17 @@ void StepProblem::add_body_blocks() {
 }
 
 // A dy + B db = r for the net and B^T dy + D db = -g_b for the bodies, with r in dy on entry, by
-// the bodies' Schur complement D - B^T A^-1 B.
-void StepProblem::solve_bordered() {
+// the bodies' Schur complement D - B^T A^-1 B. `again`: with the last factorisation.
+void StepProblem::solve_bordered(bool again) {
   const std::size_t count = touching_.size();
   const auto row_of = [](std::size_t p) { return static_cast<Eigen::Index>(6 * p); };
   columns_.clear();
   for (const Index body : touching_)
     columns_.push_back({&borders_[body].nodes, &borders_[body].rows});
-  active_->begin_bordered(columns_, dy_, products_);
+  if (again)
+    active_->repeat_bordered(columns_, dy_, products_);
+  else
+    active_->begin_bordered(columns_, dy_, products_);
   const std::vector<Vec6>& body_gradient = reduced_body_gradient();
   schur_ = -products_.leftCols(row_of(count));
   schur_rhs_ = -products_.rightCols(1);

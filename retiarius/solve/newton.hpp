@@ -43,6 +43,10 @@ class NewtonProblem {
   // Puts the iterate at base + fraction * direction; base is where the direction was computed.
   virtual void move(double fraction) = 0;
 
+  // Keeps base and direction until restore_direction(), whatever directions are found meanwhile.
+  virtual void keep_direction() = 0;
+  virtual void restore_direction() = 0;
+
   // Puts in the gradient's place that of the quadratic model at the end of the whole direction:
   // nothing where the model is at rest, else the force that the constraint there needs by it.
   virtual void linearise() = 0;

@@ -20,6 +20,8 @@ using Matrix = Eigen::MatrixXd;
 class Scalars : public NewtonProblem {
  public:
   Vector x, base, direction, gradient;
+  Vector kept_base, kept_direction;
+  int kept = 0, restored = 0;  // times that was done
   Matrix hessian;
   Eigen::LLT<Matrix> factor;
   int factorisations = 0;
@@ -66,6 +68,16 @@ class Scalars : public NewtonProblem {
   }
   double slope() const override { return gradient.dot(direction); }
   void move(double fraction) override { x = base + fraction * direction; }
+  void keep_direction() override {
+    ++kept;
+    kept_base = base;
+    kept_direction = direction;
+  }
+  void restore_direction() override {
+    ++restored;
+    base = kept_base;
+    direction = kept_direction;
+  }
   void linearise() override { gradient += hessian * direction; }
   double direction_size() const override { return direction.norm(); }
   double residual_ratio() const override { return gradient.norm() / residual_scale; }
@@ -255,6 +267,58 @@ TEST(Newton, LineSearchTamesOvershoot) {
 }
 
 // The potential is infinite beyond 0.5: the search stays this side.
+// A mass on a stiff link that nothing strains at first, pulled round: energy K (|x| - 1)^2 / 2 - F
+// x0 and inertia. Along a direction, which is tangential, the link gets longer in second order.
+// Across the link the Hessian has the force that it carries at last, as if foretold.
+Scalars link(double stiffness, double angle) {
+  constexpr double kPull = 3.0;
+  Scalars p;
+  const Eigen::Vector2d start(std::cos(angle), std::sin(angle));
+  p.x = start;
+  p.value = [=](const Vector& x) {
+    const double strain = x.norm() - 1.0;
+    return 0.5 * stiffness * strain * strain - kPull * x[0] + 0.5 * (x - start).squaredNorm();
+  };
+  p.slope_of = [=](const Vector& x) {
+    const double strain = x.norm() - 1.0;
+    return Vector(stiffness * strain * x.normalized() + (x - start) - kPull * Vector::Unit(2, 0));
+  };
+  p.curvature = [=](const Vector& x) {
+    const Matrix along = x * x.transpose() / x.squaredNorm();
+    return Matrix((stiffness - kPull) * along + (kPull + 1.0) * Matrix::Identity(2, 2));
+  };
+  return p;
+}
+
+// With steps straight ahead alone 15, 30 and 64 iterations are needed.
+TEST(Newton, FollowsANarrowBend) {
+  for (const double stiffness : {1e3, 1e4, 1e5}) {
+    Scalars p = link(stiffness, 1.0);
+    p.residual_scale = 1e-8;
+    NewtonSettings settings = to(1e-6);
+    settings.max_iterations = 100;
+    const NewtonResult r = minimise(p, settings);
+    EXPECT_TRUE(r.converged) << r.failure;
+    EXPECT_LE(r.iterations, 16) << stiffness;
+    EXPECT_NEAR(p.x[1] / p.x[0], std::sin(1.0) / (std::cos(1.0) + 3.0), 1e-6);
+  }
+}
+
+// Nothing that bold steps reach is lower: shortened ones lead to the same end.
+TEST(Newton, TakesTheShortenedStepWhereBoldOnesFindNothing) {
+  Scalars p = link(1e4, 1.0);
+  p.residual_scale = 1e-8;
+  const auto value = p.value;
+  p.value = [&](const Vector& x) { return value(x) + (p.kept > p.restored ? 1e3 : 0.0); };
+  NewtonSettings settings = to(1e-6);
+  settings.max_iterations = 200;
+  const NewtonResult r = minimise(p, settings);
+  EXPECT_TRUE(r.converged) << r.failure;
+  EXPECT_GT(p.kept, 0);
+  EXPECT_EQ(p.restored, p.kept);
+  EXPECT_NEAR(p.x[1] / p.x[0], std::sin(1.0) / (std::cos(1.0) + 3.0), 1e-6);
+}
+
 TEST(Newton, LineSearchAvoidsWhatIsInadmissible) {
   Scalars p;
   p.x = Vector::Constant(1, 0.49);
