@@ -112,7 +112,7 @@ const Table<ContactSpec>& contact_table() {
            .above(0),
        key("friction_rounds", &ContactSpec::friction_rounds, "",
            "barrier only: a step is solved at most so often for the normal forces that friction "
-           "goes by")
+           "goes by, and takes those foretold on the way to a solution at most as often")
            .at_least(1)
            .up_to(1000),
        key("friction_tolerance", &ContactSpec::friction_tolerance, "",
