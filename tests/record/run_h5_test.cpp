@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <fstream>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <hdf5.h>
@@ -122,6 +124,52 @@ TEST(RunH5, IsReadableAfterItsWriterWasKilled) {
     EXPECT_EQ(file.frame(frames - 1).x, SampleRun().state(0.1 * (2.0 * (frames - 1.0))).x);
     EXPECT_EQ(file.history("time").size(), 2 * frames - 1);
   }
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+// Where objects' headers of HDF5's second version begin.
+std::vector<std::size_t> headers_in(const std::string& bytes) {
+  std::vector<std::size_t> places;
+  for (std::size_t at = bytes.find("OHDR"); at != std::string::npos;
+       at = bytes.find("OHDR", at + 1))
+    places.push_back(at);
+  return places;
+}
+
+// The system stops a killed writer between pages only, so that none of these is ever written in
+// part.
+TEST(RunH5, KeepsObjectHeadersWithinPages) {
+  TemporaryFolder folder;
+  write_and_die(folder.path(), 5);
+  const std::string bytes = bytes_of(folder / "run.h5");
+  const std::vector<std::size_t> headers = headers_in(bytes);
+  EXPECT_GT(headers.size(), 20u);
+  for (const std::size_t at : headers) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[at + k]); };
+    const int flags = byte(5);
+    std::size_t begin = 6 + ((flags & 0x20) != 0 ? 16 : 0) + ((flags & 0x10) != 0 ? 4 : 0);
+    std::size_t size = 0;
+    for (std::size_t k = 0; k < (1u << (flags & 3)); ++k) size += byte(begin++) << (8 * k);
+    EXPECT_EQ(at / 4096, (at + begin + size + 3) / 4096) << at;  // a checksum of four bytes ends it
+  }
+}
+
+// What was torn all the same is told.
+TEST(RunH5, RefusesATornBlockInsteadOfWaitingForIt) {
+  TemporaryFolder folder;
+  write_and_die(folder.path(), 5);
+  const std::filesystem::path path = folder / "run.h5";
+  std::string bytes = bytes_of(path);
+  const std::vector<std::size_t> headers = headers_in(bytes);
+  ASSERT_GT(headers.size(), 1u);
+  for (std::size_t k = 1; k < headers.size(); ++k) bytes[headers[k] + 30] ^= 1;  // not the root's
+  std::ofstream(path, std::ios::binary) << bytes;
+  EXPECT_THAT(error_text<InputError>([&] { const RunFile file(path); }), HasSubstr("run.h5"));
 }
 
 // Killed from outside at arbitrary instants, in the middle of writing: at most one frame is lost.
