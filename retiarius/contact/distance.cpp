@@ -181,7 +181,8 @@ struct EndAgainstEdge {
 constexpr std::array<EndAgainstEdge, 4> kEnds{
     {{0, 2, 3, 1.0}, {1, 2, 3, 1.0}, {2, 0, 1, -1.0}, {3, 0, 1, -1.0}}};
 
-// The nearest of the four. Squares, known to rounding, sort out those that are clearly farther.
+// The nearest of the four. Squares, known to rounding, sort out those that are clearly farther. Not
+// a number where a position is none, lest it count as far.
 Distance nearest_end(const PairPositions& p, const Vec3& cross, double extent2) {
   std::array<double, 4> square;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -194,6 +195,10 @@ Distance nearest_end(const PairPositions& p, const Vec3& cross, double extent2) 
       (1.0 + kSquareRounding) * least + kSquareRounding * kSquareRounding * extent2;
   Distance best;
   best.value = kInfinity;
+  if (const double sum = square[0] + square[1] + square[2] + square[3]; std::isnan(sum)) {
+    best.value = sum;
+    return best;
+  }
   for (std::size_t k = 0; k < 4; ++k) {
     if (square[k] > limit) continue;
     const auto [i, a, b, sign] = kEnds[k];

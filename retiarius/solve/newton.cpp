@@ -24,6 +24,7 @@ constexpr int kProjected = 3;        // matrices in a row with contact projected
 constexpr int kVentures = 3;
 constexpr double kShort = 0.5;      // of what is free of a direction
 constexpr double kBoldRise = 20.0;  // of the potential, over the slope
+constexpr double kFarther = 1.5;    // than the short step goes; else a bold one is not worth it
 
 // Ratios of the lengths of consecutive steps. Between 0.05 and 0.3 for the first and 0.2 and 0.5
 // for the second the cost of falling nets changes by a few per cent.
@@ -51,7 +52,7 @@ class Iteration {
   const NewtonSettings& settings_;
   NewtonResult result_;
   double value_ = 0.0;          // the potential
-  double shortened_ = 0.0;      // where the last step was shortened to
+  double shortened_ = 0.0;      // the potential where a step was last shortened to
   double size_ = 0.0;           // of the direction
   double fraction_ = 1.0;       // taken of the direction before
   double recent_[kMemory];      // potentials of the last iterates
@@ -150,7 +151,7 @@ double Iteration::line_search() {
     // The potential of threads that turn rises with the fourth power of the way.
     const double bold = kBoldRise * std::abs(slope), rise = trial - value_;
     const double at = rise > bold ? most * std::pow(bold / rise, 0.25) : most;
-    if (at > 1.5 * fraction) return venture(slope, at, fraction);
+    if (at > kFarther * fraction) return venture(slope, at, fraction);
   }
   if (fraction > 0.0) restart();
   return fraction;

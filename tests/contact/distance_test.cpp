@@ -1,5 +1,7 @@
 #include "retiarius/contact/distance.hpp"
 
+#include <cmath>
+
 #include "tests/contact/distance_oracle.hpp"
 
 namespace retiarius {
@@ -79,6 +81,15 @@ TEST(Distance, GuardsZeroLengths) {
     const Distance same = distance(kind, {a, a, a, a});
     EXPECT_EQ(same.value, 0.0);
     EXPECT_DOUBLE_EQ(same.normal.norm(), 1.0);
+  }
+}
+
+TEST(Distance, OfEdgesIsNoNumberWhereAPositionIsNone) {
+  const PairPositions p{Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(0, -1, 0), Vec3(0, 1, 0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    PairPositions lost = p;
+    lost[i].y() = std::nan("");
+    EXPECT_TRUE(std::isnan(distance(PairKind::edge_edge, lost).value)) << i;
   }
 }
 

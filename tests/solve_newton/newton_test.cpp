@@ -266,7 +266,6 @@ TEST(Newton, LineSearchTamesOvershoot) {
   EXPECT_NEAR(p.x[0], 0.0, 1e-12);
 }
 
-// The potential is infinite beyond 0.5: the search stays this side.
 // A mass on a stiff link that nothing strains at first, pulled round: energy K (|x| - 1)^2 / 2 - F
 // x0 and inertia. Along a direction, which is tangential, the link gets longer in second order.
 // Across the link the Hessian has the force that it carries at last, as if foretold.
@@ -319,6 +318,7 @@ TEST(Newton, TakesTheShortenedStepWhereBoldOnesFindNothing) {
   EXPECT_NEAR(p.x[1] / p.x[0], std::sin(1.0) / (std::cos(1.0) + 3.0), 1e-6);
 }
 
+// The potential is infinite beyond 0.5: the search stays this side.
 TEST(Newton, LineSearchAvoidsWhatIsInadmissible) {
   Scalars p;
   p.x = Vector::Constant(1, 0.49);
