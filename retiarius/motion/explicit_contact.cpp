@@ -35,8 +35,10 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
   found_.resize(size / 8);
   until_.assign(radius_.size(), kInfinity);
   contacts_.clear();
+  laid_out_ = false;
   contacts_.reserve(radius_.size() * bodies_->size());
-  drift_ = 0.0;
+  drift_ = way_ = 0.0;
+  due_ = kInfinity;
   unsettled_ = 0;
   any_far_ = true;
   for (std::size_t i = 0; i < radius_.size(); ++i) {
@@ -51,13 +53,13 @@ void ExplicitContact::begin(const Nodes& nodes, const State& start, double h) {
       c.gap = c.distance - radius_[i];
       if (c.gap > kNear * radius_[i]) continue;
       c.relative = relative_velocity(c);
-      c.fresh = false;
       contacts_.push_back(c);
     }
   }
   for (const Touch& t : start.touches) {
-    for (Contact& c : contacts_)
-      if (c.node == t.node && c.body == t.body) c.sticks = t.sticks;
+    const auto c = find(t.node, t.body);
+    if (c != contacts_.cend())
+      contacts_[static_cast<std::size_t>(c - contacts_.cbegin())].sticks = t.sticks;
   }
   guard_all();
 }
@@ -119,7 +121,6 @@ void ExplicitContact::book(const Contact& c, Account& account) const {
 // Looks at the surface again where that is due, and forgets the impulses of the last sub-step.
 void ExplicitContact::meet(Contact& c) {
   look_again(c, inward(c.body, poses_[c.body], nodes_.layout->read(nodes_.x, c.node)));
-  if (c.fresh) c.relative = relative_velocity(c);
   aim(c);
   c.sticks = friction_ > 0.0;
 }
@@ -145,7 +146,6 @@ void ExplicitContact::leave(Contact& c, Account& account, Given& given) {
   any_far_ |= c.gap > kFar * c.radius;
   if (!c.sticks) c.anchor = c.place;
   c.relative = relative_velocity(c);
-  c.fresh = false;
 }
 
 // Notes where a node has come to, and takes it out of the body.
@@ -163,12 +163,14 @@ void ExplicitContact::lift(Contact& c, Vec3 x, Given& given) {
   c.place = at;
 }
 
-ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, Account& account) {
+ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, double way,
+                                             Account& account) {
   Given given;
+  way_ += way;
   move_bodies(gravity, kick);
   look_for_entries();
   if (alone()) {
-    for (Contact& c : contacts_) settle_alone(c, account, given);
+    settle_alone(account, given);
   } else {
     for (Contact& c : contacts_) meet(c);
     solve_all(true);
@@ -181,6 +183,7 @@ ExplicitContact::Given ExplicitContact::step(const Vec3& gravity, double kick, A
 }
 
 void ExplicitContact::finish(const Vec3& gravity, double kick, Account& account) {
+  take_back();
   for (std::size_t b = 0; b < free_.size(); ++b)
     if (!(*bodies_)[b].fixed) poses_[b].velocity += kick * gravity;
   for (Contact& c : contacts_) aim(c);

@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "retiarius/base/line_vector.hpp"
 #include "retiarius/bodies/body.hpp"
+#include "retiarius/motion/surface_planes.hpp"
 #include "retiarius/motion/sweep_layout.hpp"
 #include "retiarius/state/state.hpp"
 
@@ -45,8 +47,9 @@ class ExplicitContact {
   void begin(const Nodes& nodes, const State& start, double h);
 
   // One sub-step, after the laws gave the nodes their velocities (by a kick of length `kick`) and
-  // places: moves the bodies under `gravity` and sees to the contacts.
-  Given step(const Vec3& gravity, double kick, Account& account);
+  // places: moves the bodies under `gravity` and sees to the contacts. way: no coordinate of a node
+  // that contacts leave alone has changed by more in this sub-step, m.
+  Given step(const Vec3& gravity, double kick, double way, Account& account);
 
   // After the half kick that ends the last sub-step: velocities into a surface are stopped, of all
   // nodes that have reached one.
@@ -75,8 +78,7 @@ class ExplicitContact {
     double reach = 0.0;  // distance from there within which it serves, squared, m2
     Vec3 normal = Vec3::UnitZ();
     double distance = 0.0;
-    double gap = 0.0;   // at the end of the last sub-step, m
-    bool fresh = true;  // `relative` is not known yet
+    double gap = 0.0;  // at the end of the last sub-step, m
     bool sticks = false, pushed = false;
     Vec3 place = Vec3::Zero();     // of the node at the end of the last sub-step, body axes
     Vec3 anchor = Vec3::Zero();    // where it sticks, body axes
@@ -102,6 +104,7 @@ class ExplicitContact {
   void guard_all();
   void look_for_entries();
   bool enters(const Vec3& from, const Vec3& to, Contact& contact) const;
+  std::vector<Contact>::const_iterator find(Index node, Index body) const;
   bool active(Index node, Index body) const;
   void add(Contact contact);
   Contact watched(Index node, Index body) const;
@@ -115,7 +118,11 @@ class ExplicitContact {
   void leave(Contact& c, Account& account, Given& given);
   void lift(Contact& c, Vec3 x, Given& given);
   bool alone() const;
-  void settle_alone(Contact& c, Account& account, Given& given);
+  void settle_alone(Account& account, Given& given);
+  void settle_alone(std::size_t k, Account& account, Given& given);
+  void lay_out();
+  void take_back();
+  double gap_of(std::size_t k) const;
   void stop_alone(Contact& c, double lack, Vec3& x, Vec3& v) const;
   static void book_alone(const Contact& c, const Vec3& x, const Vec3& v, Account& account);
   double rounding(const Contact& c, bool moves) const;
@@ -137,14 +144,22 @@ class ExplicitContact {
   std::vector<BodyState> poses_, old_poses_;
   std::vector<Free> free_;
   bool any_free_ = false;
-  bool any_far_ = false;                // contacts that may be let go
-  int unsettled_ = 0;                   // times since begin() that turns were not enough
-  double drift_ = 0.0;                  // way of the fastest surface point since begin(), m
-  double earliest_ = 0.0;               // drift at which a guard ends
-  std::vector<double> until_;           // the same of each node
-  std::vector<double> origin_, limit_;  // of the boxes, as the nodes' coordinates
+  bool any_far_ = false;       // contacts that may be let go
+  int unsettled_ = 0;          // times since begin() that turns were not enough
+  double drift_ = 0.0;         // way of the fastest surface point since begin(), m
+  double earliest_ = 0.0;      // drift at which a guard ends
+  std::vector<double> until_;  // the same of each node
+  LineVector origin_, limit_;  // of the boxes, as the nodes' coordinates
+  double way_ = 0.0;           // of the fastest coordinate since begin(), m
+  double due_ = 0.0;           // way_ up to which no node leaves its box
   std::vector<int> found_;
   std::vector<Contact> contacts_;  // ordered by node, then body
+  // Of contacts that are alone: planes, gaps and velocities while `laid_out_`, and which were
+  // pushed in the last sub-step.
+  SurfacePlanes planes_;
+  bool laid_out_ = false;
+  std::vector<std::size_t> pushed_;
+  std::vector<SweepLayout::Slot> slots_;
 };
 
 }  // namespace retiarius

@@ -15,6 +15,8 @@ constexpr double kClearReach = 0.9;
 // Cosine between normals of one side of a body.
 constexpr double kSameSide = 0.5;
 constexpr int kMostPathSteps = 400;
+// Rounding may move a coordinate by a little more than its velocity says.
+constexpr double kMore = 1.0 + 1e-9;
 
 // A radius that the surface's radii of curvature are not below, m.
 double smallest_bend(const Body& body) {
@@ -49,15 +51,22 @@ double ExplicitContact::lower_gap(Index node, Index body) const {
   return gap_to(node, body);
 }
 
-bool ExplicitContact::active(Index node, Index body) const {
+std::vector<ExplicitContact::Contact>::const_iterator ExplicitContact::find(Index node,
+                                                                            Index body) const {
   const auto found = std::lower_bound(
       contacts_.begin(), contacts_.end(), std::pair(node, body), [](const Contact& c, auto key) {
         return c.node != key.first ? c.node < key.first : c.body < key.second;
       });
-  return found != contacts_.end() && found->node == node && found->body == body;
+  const bool there = found != contacts_.end() && found->node == node && found->body == body;
+  return there ? found : contacts_.end();
+}
+
+bool ExplicitContact::active(Index node, Index body) const {
+  return find(node, body) != contacts_.end();
 }
 
 void ExplicitContact::add(Contact contact) {
+  take_back();
   const auto place = std::upper_bound(contacts_.begin(), contacts_.end(), contact,
                                       [](const Contact& a, const Contact& b) {
                                         return a.node != b.node ? a.node < b.node : a.body < b.body;
@@ -78,6 +87,7 @@ void ExplicitContact::guard(Index node) {
   const double share = any_free_ ? 0.5 : 1.0;
   until_[node] = any_free_ ? drift_ + 0.5 * gap : kInfinity;
   const double limit = share * gap / std::sqrt(3.0);
+  due_ = std::min(due_, way_ + limit);
   nodes_.layout->write(limit_.data(), node, Vec3::Constant(limit));
   nodes_.layout->write(origin_.data(), node, nodes_.layout->read(nodes_.x, node));
 }
@@ -128,16 +138,25 @@ void ExplicitContact::look_for_entries() {
       const Vec3 from = inward(body, old_poses_[b], old), to = inward(body, poses_[b], x);
       if (!enters(from, to, c) && c.distance > (1.0 + kNear) * radius_[node]) continue;
       c.place = c.anchor = from;
+      c.relative = relative_velocity(c);
       add(c);
     }
     guard(node);
   };
-  const long count = kernels::sweeps().outside(nodes_.x, origin_.data(), limit_.data(),
-                                               layout.size(), found_.data());
-  for (long k = 0; k < count; ++k) {
-    for (long at = 8L * found_[k]; at < 8L * found_[k] + 8; ++at) {
-      const auto d = static_cast<std::size_t>(at);
-      if (!(std::abs(nodes_.x[d] - origin_[d]) <= limit_[d])) look(layout.node_at(at));
+  if (way_ * kMore >= due_) {
+    double slack = kInfinity;
+    const long count = kernels::sweeps().outside(nodes_.x, origin_.data(), limit_.data(),
+                                                 layout.size(), found_.data(), &slack);
+    due_ = way_ + slack;
+    for (long k = 0; k < count; ++k) {
+      for (long at = 8L * found_[k]; at < 8L * found_[k] + 8; ++at) {
+        const auto d = static_cast<std::size_t>(at);
+        const double left = limit_[d] - std::abs(nodes_.x[d] - origin_[d]);
+        if (!(left >= 0.0))
+          look(layout.node_at(at));
+        else
+          due_ = std::min(due_, way_ + left);
+      }
     }
   }
   if (drift_ < earliest_) return;
@@ -167,14 +186,13 @@ void ExplicitContact::look_again(Contact& c, const Vec3& at) const {
 void ExplicitContact::drop_far() {
   if (!any_far_) return;
   any_far_ = false;
-  const auto far = [&](const Contact& c) {
-    return c.gap > kFar * c.radius && c.impulse.isZero(0.0);
-  };
   for (std::size_t k = 0; k < contacts_.size();) {
-    if (!far(contacts_[k])) {
+    const Contact& c = contacts_[k];
+    if (gap_of(k) <= kFar * c.radius || !c.impulse.isZero(0.0)) {
       ++k;
       continue;
     }
+    take_back();
     const Index node = contacts_[k].node;
     contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(k));
     guard(node);

@@ -187,11 +187,15 @@ void ExplicitStepper::run(const Job& job, const std::vector<BodyState>& free, St
     const bool needs_old = !job.laws.empty() || job.damping > 0.0;
     if (!job.laws.empty()) add_laws(job, n, kick);
     if (needs_old) std::copy_n(v_.data(), old_v_.size(), old_v_.data());
-    const double loss = table.sweep(layout_->groups().data(),
-                                    static_cast<long>(layout_->groups().size()), sweep_, last);
+    double fastest = 0.0;
+    const double loss =
+        table.sweep(layout_->groups().data(), static_cast<long>(layout_->groups().size()), sweep_,
+                    last, &fastest);
+    sweep_.last = 1 - sweep_.last;
     // The first evaluation follows none: its loss is of the step before.
     if (n > 0) account.material_loss += loss;
-    table.move_shared(layout_->runs().data(), static_cast<long>(layout_->runs().size()), sweep_);
+    table.move_shared(layout_->runs().data(), static_cast<long>(layout_->runs().size()), sweep_,
+                      &fastest);
     const Vec3 weight = kick * job.gravity;
     account.outside_impulse += total_mass_ * weight;
     account.outside_angular_impulse += first_moment_.cross(weight);
@@ -200,7 +204,8 @@ void ExplicitStepper::run(const Job& job, const std::vector<BodyState>& free, St
     if (job.damping > 0.0) book_damping(job, kick, sweep_.drift, account);
     if (!job.laws.empty()) book_laws(job, kick, account);
     if (job.contact && !last) {
-      const ExplicitContact::Given given = job.contact->step(job.body_gravity, kick, account);
+      const ExplicitContact::Given given =
+          job.contact->step(job.body_gravity, kick, sweep_.drift * fastest, account);
       momentum_ += given.impulse;
       first_moment_ += given.shift;
     }

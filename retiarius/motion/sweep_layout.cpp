@@ -107,8 +107,7 @@ void SweepLayout::place_nodes(const std::vector<std::vector<const Chain*>>& grou
                    [&](Index a, Index b) { return touched[a] < touched[b]; });
   slots_.resize(shared.size());
   // One shared node more, which padding lanes read.
-  first_row_ = (4 * (static_cast<long>(shared_nodes_.size()) + 1) + 7) / 8 * 8;
-  nodes_.assign(static_cast<std::size_t>(first_row_), kNone);
+  nodes_.assign((4 * (shared_nodes_.size() + 1) + 7) / 8 * 8, kNone);
   for (std::size_t i = 0; i < shared_nodes_.size(); ++i) {
     slots_[shared_nodes_[i]] = {4 * static_cast<long>(i), 1};
     for (std::size_t c = 0; c < 3; ++c) nodes_[4 * i + c] = shared_nodes_[i];
@@ -126,6 +125,7 @@ void SweepLayout::place_groups(const std::vector<std::vector<const Chain*>>& gro
     block.shared = shared_.size();
     block.ends = ends_of_.size();
     block.segment = segments_.size();
+    block.inverse = inverse_rows_.size();
     block.rows = static_cast<long>(group.front()->nodes.size());
     block.material = group.front()->material;
     blocks_.push_back(block);
@@ -173,32 +173,56 @@ void SweepLayout::link_ends() {
   }
 }
 
+// Rest lengths and stiffnesses of a block's segment rows: one row where all are alike, which other
+// blocks may have left. Returns the step from one to the next.
+std::size_t SweepLayout::add_laws(Block& block) {
+  const std::size_t start = rest_.size();
+  const auto rows = static_cast<std::size_t>(block.rows - 1);
+  for (std::size_t k = block.segment; k < block.segment + rows * kLanes; ++k) {
+    const bool there = segments_[k] != kNone;
+    const Segment* const s = there ? &network_->segments[segments_[k]] : nullptr;
+    rest_.push_back(there ? s->rest_length : 1.0);
+    stiffness_.push_back(there ? network_->materials[s->material].axial_stiffness / s->rest_length
+                               : 0.0);
+  }
+  const auto alike = [&](std::size_t a, std::size_t b) {
+    return std::equal(&rest_[a], &rest_[a] + kLanes, &rest_[b]) &&
+           std::equal(&stiffness_[a], &stiffness_[a] + kLanes, &stiffness_[b]);
+  };
+  block.law = start;
+  for (std::size_t j = 1; j < rows; ++j)
+    if (!alike(start, start + j * kLanes)) return kLanes;
+  block.law = 0;
+  while (!alike(block.law, start)) block.law += kLanes;
+  rest_.resize(block.law == start ? start + kLanes : start);
+  stiffness_.resize(rest_.size());
+  return 0;
+}
+
 void SweepLayout::make_groups() {
-  rest_.assign(segments_.size(), 1.0);
-  stiffness_.assign(segments_.size(), 0.0);
   last_.assign(segments_.size(), 0.0);
   before_.assign(segments_.size(), 0.0);
   drag_.assign(segments_.size(), 0.0);
   tension_.assign(segments_.size(), 0.0);
-  for (std::size_t k = 0; k < segments_.size(); ++k)
-    if (segments_[k] != kNone) rest_[k] = network_->segments[segments_[k]].rest_length;
   ends_.resize(std::max<std::size_t>(1, 4 * ends_of_.size()));
   std::fill_n(ends_.data(), ends_.size(), 0.0);
-  for (const Block& b : blocks_) {
+  for (Block& b : blocks_) {
     kernels::SweepGroup g{};
     g.rows = b.rows;
     g.place = place_.data() + b.place;
     g.shared = shared_.data() + b.shared;
+    g.inverse = inverse_rows_.data() + b.inverse;
     g.ends = ends_.data() + 4 * b.ends;
-    g.rest = rest_.data() + b.segment;
-    g.stiffness = stiffness_.data() + b.segment;
-    g.last = last_.data() + b.segment;
-    g.before = before_.data() + b.segment;
+    g.step = static_cast<long>(add_laws(b));
+    g.elongation[0] = last_.data() + b.segment;
+    g.elongation[1] = before_.data() + b.segment;
     g.drag = drag_.data() + b.segment;
     g.tension = tension_.data() + b.segment;
     g.bilateral = network_->materials[b.material].compression;
     groups_.push_back(g);
   }
+  slack_.assign(stiffness_.size(), 0.0);
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].rest = rest_.data() + blocks_[g].law;
 }
 
 void SweepLayout::begin(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double h,
@@ -206,12 +230,12 @@ void SweepLayout::begin(const std::vector<Vec3>& x, const std::vector<Vec3>& v, 
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Material& m = network_->materials[blocks_[g].material];
     groups_[g].viscosity = stretch ? m.damping / h : 0.0;
+    groups_[g].stiffness = (stretch ? stiffness_ : slack_).data() + blocks_[g].law;
   }
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     if (segments_[k] == kNone) continue;
     const Segment& s = network_->segments[segments_[k]];
     const Material& m = network_->materials[s.material];
-    stiffness_[k] = stretch ? m.axial_stiffness / s.rest_length : 0.0;
     if (m.damping == 0.0) continue;
     const Vec3 e = x[s.b] - x[s.a];
     const double length = e.norm();
@@ -227,9 +251,7 @@ void SweepLayout::begin(const std::vector<Vec3>& x, const std::vector<Vec3>& v, 
 
 void SweepLayout::bind(kernels::SweepState& state) const {
   state.inverse_shared = inverse_shared_.data();
-  state.inverse_rows = inverse_rows_.data();
   state.ends = ends_.data();
-  state.first_row = first_row_;
 }
 
 Vec3 SweepLayout::force(Index shared_node) const {

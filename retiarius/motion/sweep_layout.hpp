@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "retiarius/base/line_vector.hpp"
 #include "retiarius/motion/sweep_kernels.hpp"
 #include "retiarius/net/network.hpp"
 #include "retiarius/solve/aligned_array.hpp"
@@ -59,9 +60,10 @@ class SweepLayout {
     Index material = 0;
   };
   struct Block {  // where a group's arrays begin
-    std::size_t place = 0, shared = 0, ends = 0, segment = 0;
+    std::size_t place = 0, shared = 0, inverse = 0, ends = 0, segment = 0;
     long rows = 0;
     Index material = 0;
+    std::size_t law = 0;  // where its rows of laws begin
   };
 
   std::vector<Chain> cut_chains() const;
@@ -70,6 +72,7 @@ class SweepLayout {
   void place_groups(const std::vector<std::vector<const Chain*>>& groups);
   void link_ends();
   void make_groups();
+  std::size_t add_laws(Block& block);
 
   const Network* network_;
   std::vector<Slot> slots_;
@@ -79,12 +82,13 @@ class SweepLayout {
   std::vector<Index> segments_;  // of each lane of each segment row, or kNone
   std::vector<Index> ends_of_;   // node of each lane of the shared rows, or kNone
   std::vector<Index> shared_nodes_;
-  std::vector<double> rest_, stiffness_, last_, before_, drag_, tension_;
-  std::vector<double> inverse_shared_, inverse_rows_;
+  LineVector rest_, stiffness_;  // by rows of laws, that several segment rows may share
+  LineVector slack_;             // as many zeros
+  LineVector last_, before_, drag_, tension_;
+  LineVector inverse_shared_, inverse_rows_;
   mutable AlignedArray ends_;
   std::vector<int> incidences_;
   std::vector<int> first_end_, end_count_;  // of each shared node
-  long first_row_ = 0;
   std::vector<kernels::SweepGroup> groups_;
   std::vector<kernels::SweepRun> runs_;
 };
