@@ -13,9 +13,9 @@ struct SweepGroup {
   long rows;                // of nodes
   const int* place;         // of each row: where its 3 x 8 coordinates begin, or -1: shared nodes
   const int* shared;        // 8 for each row of shared nodes: where the lanes' nodes begin
-  const double* inverse;    // 8 for each other row: 1/kg
   double* ends;             // 32 for each such row: force of the chain on each, N
-  long step;                // 8, or 0 where all segment rows share one of the next two
+  long step;                // 8, or 0 where all rows share one of each of the next three
+  const double* inverse;    // 8 for each row that is not of shared nodes: 1/kg
   const double* rest;       // 8 for each segment row: l0, m
   const double* stiffness;  // k = EA / l0, N/m; 0 where the lane has no such segment
   double* elongation[2];    // at the last evaluations, taut part where tension-only, m

@@ -19,6 +19,31 @@ std::vector<int> degrees_of(const Network& network) {
   return degree;
 }
 
+bool same_row(const LineVector& a, std::size_t at_a, const LineVector& b, std::size_t at_b) {
+  return std::equal(&a[at_a], &a[at_a] + kLanes, &b[at_b]);
+}
+
+bool are_alike(const LineVector& rows) {
+  for (std::size_t k = kLanes; k < rows.size(); k += kLanes)
+    if (!same_row(rows, 0, rows, k)) return false;
+  return true;
+}
+
+// Adds rows to others, or only the first if one stands for all and is not there yet. Returns where
+// they begin.
+std::size_t add_rows(LineVector& all, const LineVector& rows, bool alike) {
+  const std::size_t end = all.size();
+  if (rows.empty()) return 0;
+  if (!alike) {
+    all.insert(all.end(), rows.begin(), rows.end());
+    return end;
+  }
+  for (std::size_t k = 0; k < end; k += kLanes)
+    if (same_row(all, k, rows, 0)) return k;
+  all.insert(all.end(), rows.begin(), rows.begin() + kLanes);
+  return end;
+}
+
 }  // namespace
 
 // Runs of a thread's segments of one material; segments of no thread are chains of their own.
@@ -173,30 +198,28 @@ void SweepLayout::link_ends() {
   }
 }
 
-// Rest lengths and stiffnesses of a block's segment rows: one row where all are alike, which other
-// blocks may have left. Returns the step from one to the next.
-std::size_t SweepLayout::add_laws(Block& block) {
-  const std::size_t start = rest_.size();
-  const auto rows = static_cast<std::size_t>(block.rows - 1);
-  for (std::size_t k = block.segment; k < block.segment + rows * kLanes; ++k) {
+// Rest lengths, stiffnesses and masses of a block's rows: one row where all are alike, which other
+// blocks may have left.
+void SweepLayout::add_laws(Block& block, kernels::SweepGroup& group) {
+  LineVector rest, stiffness, inverse;
+  const auto end = block.segment + static_cast<std::size_t>(block.rows - 1) * kLanes;
+  for (std::size_t k = block.segment; k < end; ++k) {
     const bool there = segments_[k] != kNone;
     const Segment* const s = there ? &network_->segments[segments_[k]] : nullptr;
-    rest_.push_back(there ? s->rest_length : 1.0);
-    stiffness_.push_back(there ? network_->materials[s->material].axial_stiffness / s->rest_length
-                               : 0.0);
+    rest.push_back(there ? s->rest_length : 1.0);
+    stiffness.push_back(there ? network_->materials[s->material].axial_stiffness / s->rest_length
+                              : 0.0);
   }
-  const auto alike = [&](std::size_t a, std::size_t b) {
-    return std::equal(&rest_[a], &rest_[a] + kLanes, &rest_[b]) &&
-           std::equal(&stiffness_[a], &stiffness_[a] + kLanes, &stiffness_[b]);
-  };
-  block.law = start;
-  for (std::size_t j = 1; j < rows; ++j)
-    if (!alike(start, start + j * kLanes)) return kLanes;
-  block.law = 0;
-  while (!alike(block.law, start)) block.law += kLanes;
-  rest_.resize(block.law == start ? start + kLanes : start);
-  stiffness_.resize(rest_.size());
-  return 0;
+  const auto rows = place_.begin() + static_cast<std::ptrdiff_t>(block.place);
+  const auto own = static_cast<std::size_t>(
+      std::count_if(rows, rows + block.rows, [](int place) { return place >= 0; }));
+  const double* const first = inverse_rows_.data() + block.inverse;
+  inverse.assign(first, first + own * kLanes);
+  const bool alike = are_alike(rest) && are_alike(stiffness) && are_alike(inverse);
+  group.step = alike ? 0 : kLanes;
+  block.rest = add_rows(rest_, rest, alike);
+  block.stiffness = add_rows(stiffness_, stiffness, alike);
+  block.inverse = add_rows(inverse_, inverse, alike);
 }
 
 void SweepLayout::make_groups() {
@@ -211,9 +234,8 @@ void SweepLayout::make_groups() {
     g.rows = b.rows;
     g.place = place_.data() + b.place;
     g.shared = shared_.data() + b.shared;
-    g.inverse = inverse_rows_.data() + b.inverse;
     g.ends = ends_.data() + 4 * b.ends;
-    g.step = static_cast<long>(add_laws(b));
+    add_laws(b, g);
     g.elongation[0] = last_.data() + b.segment;
     g.elongation[1] = before_.data() + b.segment;
     g.drag = drag_.data() + b.segment;
@@ -222,7 +244,10 @@ void SweepLayout::make_groups() {
     groups_.push_back(g);
   }
   slack_.assign(stiffness_.size(), 0.0);
-  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].rest = rest_.data() + blocks_[g].law;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    groups_[g].rest = rest_.data() + blocks_[g].rest;
+    groups_[g].inverse = inverse_.data() + blocks_[g].inverse;
+  }
 }
 
 void SweepLayout::begin(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double h,
@@ -230,7 +255,7 @@ void SweepLayout::begin(const std::vector<Vec3>& x, const std::vector<Vec3>& v, 
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Material& m = network_->materials[blocks_[g].material];
     groups_[g].viscosity = stretch ? m.damping / h : 0.0;
-    groups_[g].stiffness = (stretch ? stiffness_ : slack_).data() + blocks_[g].law;
+    groups_[g].stiffness = (stretch ? stiffness_ : slack_).data() + blocks_[g].stiffness;
   }
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     if (segments_[k] == kNone) continue;

@@ -63,7 +63,7 @@ class SweepLayout {
     std::size_t place = 0, shared = 0, inverse = 0, ends = 0, segment = 0;
     long rows = 0;
     Index material = 0;
-    std::size_t law = 0;  // where its rows of laws begin
+    std::size_t rest = 0, stiffness = 0;
   };
 
   std::vector<Chain> cut_chains() const;
@@ -72,7 +72,7 @@ class SweepLayout {
   void place_groups(const std::vector<std::vector<const Chain*>>& groups);
   void link_ends();
   void make_groups();
-  std::size_t add_laws(Block& block);
+  void add_laws(Block& block, kernels::SweepGroup& group);
 
   const Network* network_;
   std::vector<Slot> slots_;
@@ -82,8 +82,8 @@ class SweepLayout {
   std::vector<Index> segments_;  // of each lane of each segment row, or kNone
   std::vector<Index> ends_of_;   // node of each lane of the shared rows, or kNone
   std::vector<Index> shared_nodes_;
-  LineVector rest_, stiffness_;  // by rows of laws, that several segment rows may share
-  LineVector slack_;             // as many zeros
+  LineVector rest_, stiffness_, inverse_;  // in rows that several rows of groups may share
+  LineVector slack_;                       // as many zeros as stiffnesses
   LineVector last_, before_, drag_, tension_;
   LineVector inverse_shared_, inverse_rows_;
   mutable AlignedArray ends_;
