@@ -13,6 +13,11 @@
 #include "retiarius/forces/stretching.hpp"
 #include "retiarius/motion/integrator.hpp"
 
+// Of the BLAS.
+extern "C" void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*,
+                       const double*, const int*, const double*, const int*, const double*, double*,
+                       const int*);
+
 namespace retiarius::benchmarks {
 namespace {
 
@@ -71,6 +76,24 @@ void factor_and_solve(benchmark::State& state, Maker make) {
     benchmark::DoNotOptimize(x.data());
   }
   state.counters["nodes"] = static_cast<double>(x.size());
+  // Of the factorisation alone, over the time of both.
+  if (solver->factor_flops() > 0.0)
+    state.counters["flops"] =
+        benchmark::Counter(solver->factor_flops(), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+// The most that a processor is seen to do: the matrix product of the BLAS that CHOLMOD uses.
+void matrix_product(benchmark::State& state) {
+  const int n = 768;
+  const std::vector<double> a(static_cast<std::size_t>(n) * n, 0.5), b = a;
+  std::vector<double> c(a.size(), 0.0);
+  const double one = 1.0, zero = 0.0;
+  for ([[maybe_unused]] auto _ : state) {
+    dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n);
+    benchmark::DoNotOptimize(c.data());
+  }
+  state.counters["flops"] =
+      benchmark::Counter(2.0 * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 // The whole step from the flat start; with Solver::direct with a new factorisation for every
@@ -135,6 +158,7 @@ BENCHMARK_CAPTURE(factor_and_solve, ours, make_net_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, cholmod_supernodal, make_cholmod_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, eigen_metis, make_eigen_metis_solver)->Apply(nets);
 BENCHMARK_CAPTURE(factor_and_solve, eigen_amd, make_eigen_amd_solver)->Apply(nets);
+BENCHMARK(matrix_product)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace retiarius::benchmarks

@@ -19,11 +19,11 @@ namespace retiarius {
 // changes.
 //
 // Cost: each node has a box within which it cannot touch, since distances change by no more than
-// the ways of node and body; only nodes outside their box are looked at. Near a surface, the plane
-// at the last query serves for a hundredth of the thread's radius r: the surface at distance r is
-// nowhere bent more than 1 / r, so the plane is wrong by less than r / 20,000 there. Where the
-// query found a gap, it serves for nine tenths of that: neither the surface nor the plane can be
-// met there.
+// the ways of node and body; only nodes outside their box are looked at, once the way of the
+// fastest lets any be there. Near a surface, the plane at the last query serves for a hundredth of
+// the thread's radius r: the surface at distance r is nowhere bent more than 1 / r, so the plane is
+// wrong by less than r / 20,000 there. Where the query found a gap, it serves for nine tenths of
+// that: neither the surface nor the plane can be met there.
 class ExplicitContact {
  public:
   // radius: of the thread at each node, m.
