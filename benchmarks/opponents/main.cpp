@@ -76,10 +76,9 @@ void factor_and_solve(benchmark::State& state, Maker make) {
     benchmark::DoNotOptimize(x.data());
   }
   state.counters["nodes"] = static_cast<double>(x.size());
-  // Of the factorisation alone, over the time of both.
-  if (solver->factor_flops() > 0.0)
-    state.counters["flops"] =
-        benchmark::Counter(solver->factor_flops(), benchmark::Counter::kIsIterationInvariantRate);
+  // Items are the factorisation's floating-point operations, over the time of both.
+  const auto flops = static_cast<int64_t>(solver->factor_flops());
+  if (flops > 0) state.SetItemsProcessed(flops * state.iterations());
 }
 
 // The most that a processor is seen to do: the matrix product of the BLAS that CHOLMOD uses.
@@ -92,8 +91,7 @@ void matrix_product(benchmark::State& state) {
     dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n);
     benchmark::DoNotOptimize(c.data());
   }
-  state.counters["flops"] =
-      benchmark::Counter(2.0 * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
+  state.SetItemsProcessed(2L * n * n * n * state.iterations());
 }
 
 // The whole step from the flat start; with Solver::direct with a new factorisation for every
