@@ -55,5 +55,28 @@ TEST(ContactAlone, IsTheGeneralOneButForRounding) {
   }
 }
 
+// In a step in which the net flies farther than a thread is thick, each node is found by the box
+// that it leaves on the way, with a body that stays and with one that moves.
+TEST(ContactAlone, NoNodeIsInsideAfterALongStep) {
+  for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::free}) {
+    Network net = flying_net(Pattern::square, 2, false, 1e-5, 0.0);
+    for (Vec3& v : net.velocity) v += Vec3(0.1, 0.05, 1.0);
+    const double mass = motion == BodyMotion::free ? 5.0 : 0.0;
+    const std::vector<Body> ball{sphere(0.35, mass, {0.05, 0.02, 0.4}, motion)};
+    Simulation sim(net, ball, initial_state(net, ball));
+    sim.configure({{0, 0, 2.0}, 0.0}, with(Method::explicit_differences),
+                  {ContactMethod::modified_mass, 0.05});
+    double deepest = 0.0;
+    std::size_t touching = 0;
+    run(sim, 0.02, 8, {}, [&](int) {
+      touching = std::max(touching, sim.state().touches.size());
+      for (const Vec3& x : sim.state().x)
+        deepest = std::max(deepest, 0.35 - (x - sim.state().bodies[0].position).norm());
+    });
+    EXPECT_GT(touching, 4u);
+    EXPECT_EQ(deepest, 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace retiarius
