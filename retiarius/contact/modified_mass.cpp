@@ -21,6 +21,12 @@ constexpr int kMostRevisions = 12;
 // A node that leaves and enters again and again within a step stays at last.
 constexpr int kMostReleases = 2;
 constexpr int kMostPathSteps = 400;
+// How far a path is followed at least at a time, over the radius: so a node may pass a corner by a
+// quarter of its radius too deep, but through no wall, which with its radius on both sides is
+// thicker.
+constexpr double kLeastAdvance = 0.5;
+// How well the place of an entry is found along the path, over the radius.
+constexpr double kEntryAccuracy = 0.05;
 
 bool near_body(const Body& body, const BodyState& s, const Vec3& a, const Vec3& b, double margin) {
   const double reach = body.shape->bounding_radius() + margin;
@@ -42,6 +48,7 @@ ModifiedMass::ModifiedMass(const std::vector<Body>& bodies, std::vector<double> 
       friction_(spec.friction),
       friction_tolerance_(spec.friction_tolerance),
       known_(bodies.size() * radius_.size()),
+      paths_(known_.size()),
       contact_of_(radius_.size(), kNone),
       released_(radius_.size(), 0) {}
 
@@ -72,6 +79,7 @@ void ModifiedMass::begin(const Step& step, const std::vector<Vec3>& predicted,
   contacts_.clear();
   std::fill(contact_of_.begin(), contact_of_.end(), kNone);
   std::fill(released_.begin(), released_.end(), 0);
+  std::fill(paths_.begin(), paths_.end(), Path());
   for (const Touch& t : start.touches) {
     if (held_[t.node]) continue;
     const Vec3 where = t.sticks ? to_body(start.bodies[t.body], start.x[t.node])
@@ -87,30 +95,45 @@ void ModifiedMass::begin(const Step& step, const std::vector<Vec3>& predicted,
 
 // Follows the straight path of a node relative to the body, advancing by the distance to the
 // surface, until it touches. True with the place of entry in body axes. A path that is shorter than
-// what is known of its distance from the surface need not be followed.
+// what is known of its distance from the surface need not be followed, nor one that ends nearer to
+// the last one than that was clear of the surface.
 bool ModifiedMass::entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit) {
   const Shape& shape = *(*bodies_)[body].shape;
   const Vec3 from = to_body(start_->bodies[body], start_->x[node]);
   const Vec3 to = to_body(end, x1);
-  const double depth = (released_[node] ? 10.0 : 1.0) * kEntryDepth * radius_[node];
+  const double radius = radius_[node];
+  const double depth = (released_[node] ? 10.0 : 1.0) * kEntryDepth * radius;
   const double length = (to - from).norm();
-  Known& known = known_[static_cast<std::size_t>(body) * radius_.size() + node];
-  if (known.distance - (from - known.place).norm() - radius_[node] >= length) return false;
-  double t = 0.0;
+  const std::size_t place = static_cast<std::size_t>(body) * radius_.size() + node;
+  Known& known = known_[place];
+  if (known.distance - (from - known.place).norm() - radius >= length) return false;
+  Path& path = paths_[place];
+  if (path.clearance >= (to - path.end).norm()) return false;
+  path = {to, kInfinity};
+  const auto distance_at = [&](double t) { return shape.nearest(from + t * (to - from)).distance; };
+  double t = 0.0, t_before = 0.0, gap_before = kInfinity;
   for (int k = 0; k < kMostPathSteps; ++k) {
-    const Vec3 p = from + t * (to - from);
-    const double distance = shape.nearest(p).distance;
-    const double gap = distance - radius_[node];
+    const double distance = distance_at(t), gap = distance - radius;
     if (k == 0) known = {from, distance};
+    // Between two places the distance falls from both by at most the way.
+    const double way = (t - t_before) * length;
+    path.clearance = std::min({path.clearance, gap, 0.5 * (gap_before + gap - way)});
     if (gap < -depth) {
-      hit = p;
+      while ((t - t_before) * length > kEntryAccuracy * radius) {
+        const double middle = 0.5 * (t_before + t);
+        (distance_at(middle) - radius < -depth ? t : t_before) = middle;
+      }
+      hit = from + t * (to - from);
       return true;
     }
     if (t >= 1.0) return false;
-    t = std::min(1.0, t + std::max(gap, 0.05 * radius_[node]) / std::max(length, 1e-300));
+    t_before = t;
+    gap_before = gap;
+    t = std::min(1.0, t + std::max(gap, kLeastAdvance * radius) / length);
   }
+  path.clearance = -kInfinity;
   hit = to;
-  return shape.nearest(to).distance < radius_[node] - depth;
+  return shape.nearest(to).distance < radius - depth;
 }
 
 bool ModifiedMass::find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies) {

@@ -46,6 +46,14 @@ class ModifiedMass final : public ContactResponse {
     double distance = -kInfinity;
   };
 
+  // A node's path through the step in a body's axes, as last followed, and a bound from below of
+  // its distance from touching anywhere on it, m. On a path to another end that bound is smaller
+  // by at most the way between the ends.
+  struct Path {
+    Vec3 end = Vec3::Zero();
+    double clearance = -kInfinity;
+  };
+
   Contact make_contact(Index node, Index body, const Vec3& target_in_body, bool sticks) const;
   bool find_entries(const std::vector<Vec3>& x1, const std::vector<BodyState>& bodies);
   bool entry(Index node, Index body, const Vec3& x1, const BodyState& end, Vec3& hit);
@@ -67,7 +75,9 @@ class ModifiedMass final : public ContactResponse {
   std::vector<Vec3> end_;       // of the nodes, then
   std::vector<bool> held_;
   std::vector<Contact> contacts_;  // ordered by node
-  std::vector<Known> known_;       // of each node, body after body: spares questions, no more
+  // Of each node, body after body: both spare questions, no more.
+  std::vector<Known> known_;
+  std::vector<Path> paths_;        // of this step
   std::vector<Index> contact_of_;  // of each node, or kNone
   std::vector<char> released_;     // in this step
   int revisions_ = 0;
