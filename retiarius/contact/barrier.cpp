@@ -119,14 +119,17 @@ void BarrierContact::begin(const Step& step, double& search_time) {
   no_turns_.assign(start.bodies.size(), Vec3::Zero());
   const ContactPlaces at{&start.x, &start.bodies, &no_turns_};
   foretold_.clear();
-  for (const ContactPair& pair : search(at, at)) {
-    const double apart = gap(pair, at);
-    if (apart > 0.0 && apart < range_) foretold_.push_back({pair, -barrier(apart, range_).first});
-    if (apart > 0.0) continue;
+  const std::vector<ContactPair>& pairs = search(at, at);
+  mark_near(at);
+  for (const std::size_t k : near_) {
+    if (gaps_[k] > 0.0) {
+      foretold_.push_back({pairs[k], -barrier(gaps_[k], range_).first});
+      continue;
+    }
     throw RunError(fmt::format(
         "barrier contact starts at time {:.9g} s from a state that interpenetrates: {} by {:.3g} "
         "m; move them apart, or take contact.method = \"modified-mass\"",
-        start.time, name(pair), -apart));
+        start.time, name(pairs[k]), -gaps_[k]));
   }
   slidings(at, false, sliding_);
   rounds_ = 1;
@@ -261,7 +264,8 @@ bool BarrierContact::motion_is_free(const ContactPlaces& start, const ContactPla
 }
 
 std::vector<std::pair<Index, Index>> BarrierContact::couplings(const ContactPlaces& at,
-                                                               Coupled which) const {
+                                                               Coupled which) {
+  mark_near(at);
   std::vector<std::pair<Index, Index>> result;
   const auto couple = [&](const ContactPair& pair) {
     const std::array<PointPlace, 4> places = scene_.places(pair);
@@ -269,21 +273,20 @@ std::vector<std::pair<Index, Index>> BarrierContact::couplings(const ContactPlac
       for (int j = 2; j < 4; ++j)
         result.emplace_back(std::minmax(places[i].point, places[j].point));
   };
-  const auto of_threads = [](const ContactPair& pair) {
-    return pair.first_owner == kNet && pair.second_owner == kNet;
-  };
   const std::vector<ContactPair>& pairs = broad_->pairs();
-  const bool known = floors_.size() == pairs.size();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!of_threads(pairs[k])) continue;
-    const double reach =
-        range_ + (which == Coupled::in_reach ? kReach * scene_.thickness(pairs[k]) : 0.0);
-    if (known && floors_[k] > reach) continue;
-    if (gap(pairs[k], at) < reach) couple(pairs[k]);
+  if (which == Coupled::in_range) {
+    for (const std::size_t k : near_)
+      if (is_of_threads(pairs[k])) couple(pairs[k]);
+  } else {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (!is_of_threads(pairs[k])) continue;
+      const double reach = range_ + kReach * scene_.thickness(pairs[k]);
+      if (gaps_[k] < reach && gap(pairs[k], at) < reach) couple(pairs[k]);
+    }
   }
   // Friction acts for the whole round, however far the two have parted since.
   for (const Sliding& s : sliding_)
-    if (of_threads(s.pair)) couple(s.pair);
+    if (is_of_threads(s.pair)) couple(s.pair);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

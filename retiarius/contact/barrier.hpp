@@ -110,7 +110,7 @@ class BarrierContact {
   // within the range, or in reach of it where these are wanted too, and those that friction joins
   // in this round.
   enum class Coupled { in_range, in_reach };
-  std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, Coupled which) const;
+  std::vector<std::pair<Index, Index>> couplings(const ContactPlaces& at, Coupled which);
 
   // Notes a direction from the place last evaluated, with second derivatives, to another. The next
   // Hessian takes each pair's barrier as its force at the end of the direction, foretold by the

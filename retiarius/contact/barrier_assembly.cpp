@@ -86,8 +86,9 @@ double BarrierContact::evaluate(const ContactPlaces& at, ContactAssembly* out) {
 }
 
 // Most candidates are not in contact; these are sorted out side by side, most of them by what is
-// known of the way that leads here.
+// known of the way that leads here. Does nothing at the place last asked for.
 void BarrierContact::mark_near(const ContactPlaces& at) {
+  if (is_last_evaluated(at)) return;
   const std::vector<ContactPair>& pairs = broad_->pairs();
   is_near_.resize(pairs.size());
   gaps_.resize(pairs.size());

@@ -12,7 +12,7 @@ double BarrierContact::coefficient(const ContactPair& pair) const {
   const auto of_body = [&](Index owner) {
     return (*bodies_)[static_cast<std::size_t>(owner)].friction.value_or(spec_.friction);
   };
-  if (pair.first_owner == kNet && pair.second_owner == kNet) return spec_.thread_friction;
+  if (is_of_threads(pair)) return spec_.thread_friction;
   if (pair.first_owner == kNet) return of_body(pair.second_owner);
   if (pair.second_owner == kNet) return of_body(pair.first_owner);
   return 0.5 * (of_body(pair.first_owner) + of_body(pair.second_owner));
@@ -24,7 +24,9 @@ void BarrierContact::slidings(const ContactPlaces& at, bool foretold_forces,
   result.clear();
   const State& start = *step_->start;
   Near near;
-  for (const ContactPair& pair : broad_->pairs()) {
+  mark_near(at);
+  for (const std::size_t k : near_) {
+    const ContactPair& pair = broad_->pairs()[k];
     if (coefficient(pair) == 0.0 || !is_near(pair, at, false, near)) continue;
     Sliding s;
     s.pair = pair;
@@ -99,7 +101,9 @@ void BarrierContact::contacts(const ContactPlaces& at, std::vector<PairContact>&
   place_bodies(at);
   result.clear();
   Near near;
-  for (const ContactPair& pair : broad_->pairs()) {
+  mark_near(at);
+  for (const std::size_t k : near_) {
+    const ContactPair& pair = broad_->pairs()[k];
     if (!is_near(pair, at, true, near)) continue;
     PairContact c;
     c.pair = pair;

@@ -31,6 +31,10 @@ struct ContactPair {
   auto operator<=>(const ContactPair&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
+inline bool is_of_threads(const ContactPair& pair) {
+  return pair.first_owner == kNet && pair.second_owner == kNet;
+}
+
 // How many points a pair has, and how many of them are of the first primitive.
 inline constexpr int point_count(PairKind kind) {
   constexpr int kCount[] = {2, 3, 4, 4, 1};

@@ -11,10 +11,6 @@ namespace {
 // Rounds in which nodes that are hindered on their way to the first guess are put elsewhere.
 constexpr int kMostRounds = 8;
 
-bool is_of_threads(const ContactPair& pair) {
-  return pair.first_owner == kNet && pair.second_owner == kNet;
-}
-
 }  // namespace
 
 // Bodies start where their free motion leads, nodes at the guess where nothing is in their way.
