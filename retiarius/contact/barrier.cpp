@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,10 +24,14 @@ constexpr double kCarriedStrain = 1e-5;
 // How far anything may move before pairs are looked for anew, over the barrier's range.
 constexpr double kSlack = 4.0;
 
+// How far segments may leave the ways that were searched for pairs of threads before it is done
+// anew for them, over the barrier's range.
+constexpr double kThreadSlack = 2.0;
+
 // How far beyond the barrier's range threads are coupled beforehand, over the sum of their radii.
-// Farther ones make the factorisation dearer (eightfold the range of 1 mm, with threads as thick:
-// by two thirds), nearer ones need the pattern analysed more often.
-constexpr double kReach = 1.0;
+// Twice as far makes the factorisation of a capture dearer by a fourth, half as far needs the
+// pattern analysed more often.
+constexpr double kReach = 0.5;
 
 // Of a gap: what a way may take of it so that it need not be looked along in detail. Less than the
 // share that advance() allows, with room for rounding.
@@ -38,17 +43,15 @@ constexpr double kTwistRoom = 1.05;
 // The usual range of the barrier, over the radius of the thinnest thread.
 constexpr double kUsualGap = 0.25;
 
-double thinnest_radius(const Network& network) {
-  double r = kInfinity;
-  for (const Segment& s : network.segments) r = std::min(r, network.materials[s.material].radius);
-  return r;
-}
-
-BroadPhase::Options broad_options(const std::vector<Body>& bodies, bool self) {
-  BroadPhase::Options options;
-  options.self = self;
-  for (const Body& b : bodies) options.fixed.push_back(b.fixed);
-  return options;
+// The thinnest and the thickest thread's, m.
+std::pair<double, double> radii(const Network& network) {
+  double least = kInfinity, most = 0.0;
+  for (const Segment& s : network.segments) {
+    const double r = network.materials[s.material].radius;
+    least = std::min(least, r);
+    most = std::max(most, r);
+  }
+  return {least, most};
 }
 
 }  // namespace
@@ -59,11 +62,16 @@ BarrierContact::BarrierContact(const Network& network, const std::vector<Body>& 
       bodies_(&bodies),
       spec_(spec),
       step_size_(step),
-      range_(spec.gap > 0.0 ? spec.gap : kUsualGap * thinnest_radius(network)),
+      range_(spec.gap > 0.0 ? spec.gap : kUsualGap * radii(network).first),
       slack_(kSlack * range_),
       scene_(make_collision_scene(network, bodies)) {
   if (spec.self) neighbours_.emplace(network);
-  broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, broad_options(bodies, spec.self));
+  BroadPhase::Options options;
+  options.self = spec.self;
+  for (const Body& b : bodies) options.fixed.push_back(b.fixed);
+  options.slack = kThreadSlack * range_;
+  options.reach = 2.0 * kReach * radii(network).second;
+  broad_.emplace(scene_, neighbours_ ? &*neighbours_ : nullptr, std::move(options));
   for (const Material& m : network.materials)
     axial_stiffness_ = std::max(axial_stiffness_, m.axial_stiffness);
   body_places_.resize(bodies.size());
@@ -164,20 +172,34 @@ const std::vector<ContactPair>& BarrierContact::search(const ContactPlaces& from
   searched_nodes_ = *from.nodes;
   searched_bodies_ = *from.bodies;
   searched_ = is_near_searched(to);
-  evaluated_nodes_.clear();
+  if (!searched_) {
+    broad_->find(*from.nodes, moves_, twists_, range_);
+  } else {
+    resting_.assign(n, Vec3::Zero());
+    resting_bodies_.clear();
+    for (const BodyState& pose : *from.bodies) resting_bodies_.push_back(at_rest(pose));
+    broad_->find(*from.nodes, resting_, resting_bodies_, range_ + 2.0 * slack_);
+  }
+  keep_gaps();
+  return broad_->pairs();
+}
+
+// Of pairs that were candidates before, too, the gaps at the place last evaluated stay known.
+void BarrierContact::keep_gaps() {
+  const std::vector<Index>& before = broad_->before();
+  kept_gaps_.resize(before.size());
+  for (std::size_t k = 0; k < before.size(); ++k)
+    kept_gaps_[k] = before[k] == kNone ? -kInfinity : gaps_[static_cast<std::size_t>(before[k])];
+  gaps_.swap(kept_gaps_);
   floors_.clear();
-  if (!searched_) return broad_->find(*from.nodes, moves_, twists_, range_);
-  resting_.assign(n, Vec3::Zero());
-  resting_bodies_.clear();
-  for (const BodyState& pose : *from.bodies) resting_bodies_.push_back(at_rest(pose));
-  return broad_->find(*from.nodes, resting_, resting_bodies_, range_ + 2.0 * slack_);
+  near_is_known_ = false;
 }
 
 bool BarrierContact::is_last_evaluated(const ContactPlaces& at) const {
   const auto same = [](const BodyState& a, const BodyState& b) {
     return a.position == b.position && a.attitude.coeffs() == b.attitude.coeffs();
   };
-  return gaps_.size() == broad_->pairs().size() && evaluated_nodes_ == *at.nodes &&
+  return evaluated_nodes_ == *at.nodes &&
          std::equal(at.bodies->begin(), at.bodies->end(), evaluated_bodies_.begin(),
                     evaluated_bodies_.end(), same);
 }
@@ -224,7 +246,10 @@ double BarrierContact::look_ahead(const ContactPlaces& from, const ContactPlaces
     for (std::size_t k = begin; k < end; ++k) {
       const double reach = way(pairs[k]);
       double least = known ? gaps_[k] : -kInfinity;
-      if (!(reach <= kSafeShare * least)) least = gap(pairs[k], from);
+      if (!(reach <= kSafeShare * least)) {
+        least = gap(pairs[k], from);
+        if (known) gaps_[k] = least;
+      }
       floors_[k] = least - reach;
       shares_[k] = 1.0;
       if (reach <= kSafeShare * least) continue;

@@ -197,6 +197,7 @@ class BarrierContact {
                Near& near) const;
   bool is_near_searched(const ContactPlaces& at) const;
   const std::vector<ContactPair>& search(const ContactPlaces& from, const ContactPlaces& to);
+  void keep_gaps();
   bool is_last_evaluated(const ContactPlaces& at) const;
   void bound_ways();
   double way(const ContactPair& pair) const;
@@ -240,12 +241,13 @@ class BarrierContact {
   // Of each candidate: the share of the way that is free of contact, and lower bounds of its gap
   // anywhere on the way last looked along and at the place last evaluated. Bounds only save work:
   // where one does not decide, the distance itself does.
-  std::vector<double> shares_, floors_, gaps_;
-  std::vector<Vec3> evaluated_nodes_;  // the place last evaluated; empty: bounds are not known
+  std::vector<double> shares_, floors_, gaps_, kept_gaps_;
+  std::vector<Vec3> evaluated_nodes_;  // the place last evaluated
   std::vector<BodyState> evaluated_bodies_;
   std::vector<double> node_ways_, body_ways_;  // bounds of the lengths of ways, m
   std::vector<char> is_near_;                  // whether each candidate is within the range
   std::vector<std::size_t> near_;              // those that are
+  bool near_is_known_ = false;                 // at the place last evaluated
   std::vector<Term> terms_;
   std::vector<BodyPlace> body_places_;
   std::vector<Foretold> foretold_, next_foretold_;  // as the pairs are ordered

@@ -31,13 +31,41 @@ auto block_of(const Mat12& hessian, Eigen::Index i, Eigen::Index j) {
   return hessian.block<3, 3>(3 * i, 3 * j);
 }
 
-// The nearest matrix without negative eigenvalues. What is left of the distance's own curvature
-// keeps Newton's steps from sliding along a contact into another: where edges are nearly parallel
-// the distance falls with the square of such a slide, steeply.
-void drop_negative_curvature(Mat12& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Mat12> parts(hessian);
-  hessian = parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).asDiagonal() *
-            parts.eigenvectors().transpose();
+// The nearest matrix without negative eigenvalues, of the first rows and columns.
+template <int size>
+void drop_negative(Eigen::Ref<Eigen::Matrix<double, size, size>, 0, Eigen::OuterStride<>> matrix) {
+  using Matrix = Eigen::Matrix<double, size, size>;
+  const Eigen::SelfAdjointEigenSolver<Matrix> parts(matrix);
+  matrix = parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).asDiagonal() *
+           parts.eigenvectors().transpose();
+}
+
+// Of four points' coordinates, those of their mean and of three combinations that a common motion
+// leaves at zero: (1 1 1 1), (1 1 -1 -1), (1 -1 1 -1), (1 -1 -1 1), halved. Its own inverse.
+void combine(Mat12& m) {
+  const auto mix = [&](auto part) {
+    const auto a = (part(0) + part(1)).eval(), b = (part(0) - part(1)).eval();
+    const auto c = (part(2) + part(3)).eval(), d = (part(2) - part(3)).eval();
+    part(0) = 0.5 * (a + c);
+    part(1) = 0.5 * (a - c);
+    part(2) = 0.5 * (b + d);
+    part(3) = 0.5 * (b - d);
+  };
+  mix([&](int k) { return m.middleRows<3>(3 * k); });
+  mix([&](int k) { return m.middleCols<3>(3 * k); });
+}
+
+// What is left of the distance's own curvature without negative eigenvalues keeps Newton's steps
+// from sliding along a contact into another: where edges are nearly parallel the distance falls
+// with the square of such a slide, steeply. A common motion of four points changes nothing: nine
+// of twelve dimensions are left.
+void drop_negative_curvature(Mat12& hessian, int count) {
+  if (count < 4) return drop_negative<12>(hessian);
+  combine(hessian);
+  drop_negative<9>(hessian.bottomRightCorner<9, 9>());
+  hessian.topRows<3>().setZero();
+  hessian.leftCols<3>().setZero();
+  combine(hessian);
 }
 
 }  // namespace
@@ -88,20 +116,24 @@ double BarrierContact::evaluate(const ContactPlaces& at, ContactAssembly* out) {
 // Most candidates are not in contact; these are sorted out side by side, most of them by what is
 // known of the way that leads here. Does nothing at the place last asked for.
 void BarrierContact::mark_near(const ContactPlaces& at) {
-  if (is_last_evaluated(at)) return;
+  const bool again = is_last_evaluated(at);
+  if (again && near_is_known_) return;
   const std::vector<ContactPair>& pairs = broad_->pairs();
   is_near_.resize(pairs.size());
   gaps_.resize(pairs.size());
-  const bool known = floors_.size() == pairs.size();
+  const bool bounded = floors_.size() == pairs.size();
   const double apart = (1.0 + 1e-9) * range_;
   parallel_for(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      gaps_[k] = known && floors_[k] > apart ? floors_[k] : gap(pairs[k], at);
+      double least = bounded ? floors_[k] : -kInfinity;
+      if (again) least = std::max(least, gaps_[k]);
+      gaps_[k] = least > apart ? least : gap(pairs[k], at);
       is_near_[k] = !(gaps_[k] >= range_);
     }
   });
   evaluated_nodes_ = *at.nodes;
   evaluated_bodies_ = *at.bodies;
+  near_is_known_ = true;
   near_.clear();
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (is_near_[k]) near_.push_back(k);
@@ -195,7 +227,7 @@ void BarrierContact::barrier_term(const ContactPair& pair, const ContactPlaces& 
     hessian +=
         near.slope * (cross + cross.transpose()) + near.stiffness * b.value * near.weight.hessian;
   }
-  if (out->definite) drop_negative_curvature(hessian);
+  if (out->definite) drop_negative_curvature(hessian, term.count);
 }
 
 // Adds a pair's derivatives in its points' coordinates to what the points belong to. A body's point

@@ -1,17 +1,14 @@
 #include "retiarius/contact/broad_phase.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 
-#include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/swept_box.hpp"
 
 namespace retiarius {
 namespace {
 
 std::size_t at(Index k) { return static_cast<std::size_t>(k); }
-
-constexpr std::size_t kGrain = 256;
 
 Box box_of(const CollisionMesh& mesh, const std::array<Index, 2>& edge) {
   Box box(mesh.points[at(edge[0])]);
@@ -43,8 +40,9 @@ bool is_sphere(const CollisionMesh& mesh) { return mesh.edges.empty() && !mesh.h
 
 BroadPhase::BroadPhase(const CollisionScene& scene, const ThreadNeighbours* neighbours,
                        Options options)
-    : scene_(&scene), neighbours_(neighbours), options_(std::move(options)) {
+    : scene_(&scene), options_(std::move(options)) {
   options_.fixed.resize(scene.bodies.size(), false);
+  if (options_.self) threads_.emplace(scene.net, neighbours, options_.slack);
   trees_.resize(scene.bodies.size());
   for (std::size_t k = 0; k < trees_.size(); ++k) {
     const CollisionMesh& mesh = scene.bodies[k];
@@ -53,30 +51,18 @@ BroadPhase::BroadPhase(const CollisionScene& scene, const ThreadNeighbours* neig
   }
 }
 
-template <class Call>
-void BroadPhase::each(std::size_t count, Call&& call) {
-  const std::size_t first = used_parts_;
-  used_parts_ += (count + kGrain - 1) / kGrain;
-  if (parts_.size() < used_parts_) parts_.resize(used_parts_);
-  const auto run = [&](std::size_t begin, std::size_t end) {
-    Found& found = parts_[first + begin / kGrain];
-    for (std::size_t k = begin; k < end; ++k) call(static_cast<Index>(k), found);
-  };
-  parallel_for(count, kGrain, std::cref(run));
-}
-
 PointMotion BroadPhase::node(Index k) const { return node_motion((*x_)[at(k)], (*dx_)[at(k)]); }
 
 PointMotion BroadPhase::point(Index body, Index k) const {
   return body_point_motion((*twists_)[at(body)], scene_->bodies[at(body)].points[at(k)]);
 }
 
-// Of the motion beyond `drift`, with the segment's radius.
-Box BroadPhase::segment_box(Index segment, const Vec3& drift) const {
+// Along its way, with the segment's radius.
+Box BroadPhase::segment_box(Index segment) const {
   Box box;
   for (const Index n : scene_->net.edges[at(segment)]) {
-    const Vec3 &start = (*x_)[at(n)], end = start + ((*dx_)[at(n)] - drift);
-    box.extend(start).extend(end);
+    const Vec3& start = (*x_)[at(n)];
+    box.extend(start).extend(start + (*dx_)[at(n)]);
   }
   return widened(box, scene_->net.edge_radius[at(segment)]);
 }
@@ -96,13 +82,12 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
   x_ = &x;
   dx_ = &dx;
   twists_ = &bodies;
-  used_parts_ = 0;
-  for (Found& part : parts_) part.clear();
+  static const Found kNoPairs;
+  const Found& of_threads = threads_ ? threads_->find(x, dx, margin + options_.reach) : kNoPairs;
+  parts_.clear();
   boxes_.resize(scene_->net.edges.size());
-  each(boxes_.size(), [&](Index s, Found&) {
-    boxes_[at(s)] = widened(segment_box(s, Vec3::Zero()), 0.5 * margin);
-  });
-  if (options_.self) net_on_net(margin);
+  each(boxes_.size(),
+       [&](Index s, Found&) { boxes_[at(s)] = widened(segment_box(s), 0.5 * margin); });
   const auto count = bodies_left_out_ ? 0 : static_cast<Index>(scene_->bodies.size());
   for (Index k = 0; k < count; ++k) {
     if (scene_->bodies[at(k)].half_space) {
@@ -113,24 +98,8 @@ const std::vector<ContactPair>& BroadPhase::find(const std::vector<Vec3>& x,
     for (Index other = k + 1; other < count; ++other)
       if (!(options_.fixed[at(k)] && options_.fixed[at(other)])) body_on_body(k, other, margin);
   }
-  collect();
+  collect(of_threads);
   return pairs_;
-}
-
-void BroadPhase::net_on_net(double margin) {
-  Vec3 drift = Vec3::Zero();
-  for (const Vec3& move : *dx_) drift += move;
-  drift /= std::max<double>(1.0, static_cast<double>(dx_->size()));
-  drifting_.resize(boxes_.size());
-  each(drifting_.size(),
-       [&](Index s, Found&) { drifting_[at(s)] = widened(segment_box(s, drift), 0.5 * margin); });
-  net_tree_.build(drifting_);
-  each(net_tree_.size(), [&](Index leaf, Found& found) {
-    net_tree_.visit_pairs(at(leaf), at(leaf) + 1, [&](Index s, Index t) {
-      if (neighbours_ == nullptr || !neighbours_->are_neighbours(s, t))
-        found.push_back({PairKind::edge_edge, kNet, s, kNet, t});
-    });
-  });
 }
 
 // Most nodes belong to several segments: their boxes are made once.
@@ -245,11 +214,25 @@ void BroadPhase::edges_on_edges(Index from, Index to, double margin) {
 }
 
 // One order whatever the trees and ranges were.
-void BroadPhase::collect() {
+void BroadPhase::collect(const Found& of_threads) {
+  with_bodies_.clear();
+  parts_.append_to(with_bodies_);
+  std::sort(with_bodies_.begin(), with_bodies_.end());
+  pairs_.swap(found_before_);
   pairs_.clear();
-  for (std::size_t k = 0; k < used_parts_; ++k)
-    pairs_.insert(pairs_.end(), parts_[k].begin(), parts_[k].end());
-  std::sort(pairs_.begin(), pairs_.end());
+  std::merge(of_threads.begin(), of_threads.end(), with_bodies_.begin(), with_bodies_.end(),
+             std::back_inserter(pairs_));
+  look_up_before();
+}
+
+void BroadPhase::look_up_before() {
+  before_.assign(pairs_.size(), kNone);
+  std::size_t old = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    while (old < found_before_.size() && found_before_[old] < pairs_[k]) ++old;
+    if (old < found_before_.size() && found_before_[old] == pairs_[k])
+      before_[k] = static_cast<Index>(old);
+  }
 }
 
 }  // namespace retiarius

@@ -1,11 +1,15 @@
 // Finds the pairs of primitives that may come near each other during a motion.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "retiarius/contact/box_tree.hpp"
 #include "retiarius/contact/collision_scene.hpp"
+#include "retiarius/contact/pair_parts.hpp"
 #include "retiarius/contact/thread_neighbours.hpp"
+#include "retiarius/contact/thread_pairs.hpp"
 
 namespace retiarius {
 
@@ -25,6 +29,8 @@ class BroadPhase {
   struct Options {
     bool self = false;        // thread on thread
     std::vector<bool> fixed;  // of each body; empty: none
+    double slack = 0.0;       // of thread on thread, m, see ThreadPairs
+    double reach = 0.0;       // what the margin is more there, m
   };
 
   // The scene and, with `self`, the neighbours must outlive this.
@@ -40,23 +46,26 @@ class BroadPhase {
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
+  // Of each pair, which one it was among those found before; kNone if it was not.
+  const std::vector<Index>& before() const { return before_; }
+
  private:
   // A body's primitives, in its axes.
   struct BodyTrees {
     BoxTree edges, triangles;
   };
-  using Found = std::vector<ContactPair>;
+  using Found = PairParts::List;
 
-  // Calls call(k, found) for k in [0, count), in parallel ranges that have a list each.
   template <class Call>
-  void each(std::size_t count, Call&& call);
+  void each(std::size_t count, Call&& call) {
+    parts_.each(count, std::forward<Call>(call));
+  }
 
-  Box segment_box(Index segment, const Vec3& drift) const;
+  Box segment_box(Index segment) const;
   Box body_box(Index body) const;
   PointMotion node(Index k) const;
   PointMotion point(Index body, Index k) const;
 
-  void net_on_net(double margin);
   void net_on_body(Index body, double margin);
   void nodes_on_body(Index body, double margin);
   void segments_on_body(Index body, double margin);
@@ -65,23 +74,22 @@ class BroadPhase {
   void body_on_body(Index first, Index second, double margin);
   void points_on_surface(Index from, Index to, double margin);
   void edges_on_edges(Index from, Index to, double margin);
-  void collect();
+  void collect(const Found& of_threads);
+  void look_up_before();
 
   const CollisionScene* scene_;
-  const ThreadNeighbours* neighbours_;
   Options options_;
   bool bodies_left_out_ = false;
   std::vector<BodyTrees> trees_;
   const std::vector<Vec3>*x_ = nullptr, *dx_ = nullptr;
   const std::vector<BodyTwist>* twists_ = nullptr;
 
-  BoxTree net_tree_;
-  std::vector<Box> boxes_;     // of segments, in world axes
-  std::vector<Box> drifting_;  // the same without the mean motion
-  std::vector<Box> in_axes_;   // of nodes, in the axes of a body
-  std::vector<Found> parts_;   // what each range of a loop found
-  std::size_t used_parts_ = 0;
-  Found pairs_;
+  std::optional<ThreadPairs> threads_;
+  std::vector<Box> boxes_;    // of segments, in world axes
+  std::vector<Box> in_axes_;  // of nodes, in the axes of a body
+  PairParts parts_;
+  Found pairs_, with_bodies_, found_before_;
+  std::vector<Index> before_;
 };
 
 }  // namespace retiarius

@@ -40,15 +40,15 @@ void StepProblem::grow_pattern() {
   find_end(end_);
   const auto needed = start_.barrier->couplings(end_.places(), BarrierContact::Coupled::in_range);
   if (std::includes(couplings_.begin(), couplings_.end(), needed.begin(), needed.end())) return;
-  couple(start_.barrier->couplings(end_.places(), BarrierContact::Coupled::in_reach));
+  couple(start_.barrier->couplings(end_.places(), BarrierContact::Coupled::in_reach), Order::stays);
 }
 
-void StepProblem::couple(std::vector<std::pair<Index, Index>> couplings) {
+void StepProblem::couple(std::vector<std::pair<Index, Index>> couplings, Order order) {
   couplings_ = std::move(couplings);
   pattern_ = laws_pattern_;
   for (const auto& [a, b] : couplings_) pattern_.couple(a, b);
   pattern_.finish();
-  use_pattern();
+  use_pattern(order);
 }
 
 std::vector<Index> StepProblem::couplings() const {
@@ -69,11 +69,11 @@ void StepProblem::follow_couplings() {
         return false;
     return true;
   };
-  if (same()) return;
+  if (order_ == Order::anew && same()) return;
   std::vector<std::pair<Index, Index>> couplings;
   for (std::size_t k = 0; k + 1 < nodes.size(); k += 2)
     couplings.emplace_back(nodes[k], nodes[k + 1]);
-  couple(std::move(couplings));
+  couple(std::move(couplings), Order::anew);
 }
 
 void StepProblem::note_direction() {

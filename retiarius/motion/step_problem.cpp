@@ -22,7 +22,7 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
   for (const auto& law : laws) law->couple(laws_pattern_);
   laws_pattern_.finish();
   pattern_ = laws_pattern_;
-  use_pattern();
+  use_pattern(Order::anew);
   constraint_of_.assign(n, kNone);
   gradient_.assign(n, Vec3::Zero());
   dy_.assign(n, Vec3::Zero());
@@ -39,10 +39,14 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
 }
 
 // Everything that depends on the pattern.
-void StepProblem::use_pattern() {
+void StepProblem::use_pattern(Order order) {
   matrix_.pattern = nullptr;
+  order_ = order;
   solver_->expect_changes(!couplings_.empty());
-  solver_->analyse(pattern_);
+  if (order == Order::anew)
+    solver_->analyse(pattern_);
+  else
+    solver_->analyse_again(pattern_);
   if (gradients_) gradients_->analyse(pattern_);
   bind_laws();
   const std::size_t n = mass_.size();

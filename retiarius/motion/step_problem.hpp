@@ -128,9 +128,11 @@ class StepProblem final : public NewtonProblem {
   double add_barrier(Assembly& out);
   double friction_potential() const;
   double add_friction(bool hessian);
-  void use_pattern();
+  // Whether a pattern's order of elimination is made for it, or that of the one before may stay.
+  enum class Order { anew, stays };
+  void use_pattern(Order order);
   void grow_pattern();
-  void couple(std::vector<std::pair<Index, Index>> couplings);
+  void couple(std::vector<std::pair<Index, Index>> couplings, Order order);
   void follow_couplings();
   void free_guess();
   void hold_together(std::vector<Vec3>& end);
@@ -171,6 +173,7 @@ class StepProblem final : public NewtonProblem {
   BlockPattern laws_pattern_;                         // what the laws couple
   BlockPattern pattern_;                              // and threads that touch each other
   std::vector<std::pair<Index, Index>> couplings_;    // of those
+  Order order_ = Order::anew;                         // of the present pattern
   bool project_contact_ = false;                      // in the present assembly
   struct Neighbour {
     Index slot, node;

@@ -25,6 +25,9 @@ class LinearSolver {
   // Symbolic work: ordering, elimination tree, storage. Needed once for each pattern.
   virtual void analyse(const BlockPattern& pattern) = 0;
 
+  // As analyse(), for a pattern much like the last one: the order of elimination may stay.
+  virtual void analyse_again(const BlockPattern& pattern) { analyse(pattern); }
+
   // Whether the next patterns will follow each other soon: then analyse() takes the first good
   // order instead of the best of several. Solvers without such a choice ignore it.
   virtual void expect_changes(bool /*soon*/) {}

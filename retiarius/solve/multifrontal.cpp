@@ -14,10 +14,32 @@
 
 namespace retiarius {
 
+namespace {
+
+// What a factorisation may cost under an old order, over the pattern that this was made for; beyond
+// it a new order is looked for.
+constexpr double kMostGrowth = 1.25;
+
+}  // namespace
+
 void MultifrontalSolver::analyse(const BlockPattern& pattern) {
+  symbolic_ = analyse_fronts(pattern, trials_);
+  first_cost_ = symbolic_.cost;
+  use_analysis(pattern);
+}
+
+void MultifrontalSolver::analyse_again(const BlockPattern& pattern) {
+  if (!analysed_ || static_cast<std::size_t>(pattern.blocks()) != symbolic_.order.size())
+    return analyse(pattern);
+  Symbolic next = analyse_fronts(pattern, symbolic_.order);
+  if (next.cost > kMostGrowth * first_cost_) return analyse(pattern);
+  symbolic_ = std::move(next);
+  use_analysis(pattern);
+}
+
+void MultifrontalSolver::use_analysis(const BlockPattern& pattern) {
   factored_ = has_parts_ = false;
   lane_columns_ = 0;
-  symbolic_ = analyse_fronts(pattern, trials_);
   pairs_ = pattern.pairs();
   factor_.resize(symbolic_.factor_size);
   for (AlignedArray* memory : {&serial_, &shared_, &tasks_, &kept_}) memory->resize(0);

@@ -20,6 +20,7 @@ class MultifrontalSolver : public LinearSolver {
   std::string_view name() const override { return "multifrontal"; }
 
   void analyse(const BlockPattern& pattern) override;
+  void analyse_again(const BlockPattern& pattern) override;
   void expect_changes(bool soon) override { trials_ = soon ? 1 : kOrderTrials; }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override {
@@ -43,6 +44,7 @@ class MultifrontalSolver : public LinearSolver {
   double factor_flops() const override { return symbolic_.flops; }
 
  private:
+  void use_analysis(const BlockPattern& pattern);
   bool factor(const BlockMatrix& matrix, const std::vector<Index>* changed);
   void mark_changes(const std::vector<Index>& changed);
   bool parallel() const { return threads() > 1 && symbolic_.tasks.size() > 1; }
@@ -85,6 +87,7 @@ class MultifrontalSolver : public LinearSolver {
 
   int trials_ = kOrderTrials;
   Symbolic symbolic_;
+  double first_cost_ = 0.0;      // of the pattern that the order was made for, see Symbolic
   std::vector<Index> position_;  // of each block in the order of elimination
   std::vector<Index> front_of_;  // of each position, the front that eliminates it
   Index pairs_ = 0;

@@ -32,6 +32,7 @@ class PieceSolver : public LinearSolver {
     return always_ || with_pieces_ ? "pieces" : rest_->name();
   }
   void analyse(const BlockPattern& pattern) override;
+  void analyse_again(const BlockPattern& pattern) override;
   void expect_changes(bool soon) override { rest_->expect_changes(soon); }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override;
@@ -115,6 +116,14 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
     number_batches();
   }
   analysed_ = true;
+}
+
+// Where pieces do not pay they hardly do with a few more pairs, which make them shorter.
+void PieceSolver::analyse_again(const BlockPattern& pattern) {
+  if (!analysed_ || with_pieces_ || pattern.blocks() != blocks_) return analyse(pattern);
+  factored_ = has_parts_ = false;
+  pairs_ = pattern.pairs();
+  rest_->analyse_again(pattern);
 }
 
 void PieceSolver::number_batches() {

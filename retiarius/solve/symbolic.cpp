@@ -157,6 +157,7 @@ Symbolic analyse_tree(const BlockPattern& pattern, const Graph& graph,
   count_work(tree, symbolic);
   const Supernodes groups = supernodes(tree);
   symbolic.order = groups.order;
+  symbolic.cost = groups.cost;
   std::vector<Index> position(symbolic.order.size());
   for (std::size_t k = 0; k < position.size(); ++k) {
     position[symbolic.order[k]] = static_cast<Index>(k);

@@ -61,6 +61,7 @@ struct Symbolic {
   std::size_t tasks_size = 0;   // and for those within tasks, all together
   int largest_ld = 0;
   double entries = 0.0, flops = 0.0;  // of the factor without explicit zeros
+  double cost = 0.0;                  // see Supernodes
 };
 
 // Analyses a finished pattern under the best of several orders, `trials` of them by nested

@@ -167,6 +167,32 @@ TEST_P(LinearSolverTest, TakesOneOrderAfterAnother) {
   }
 }
 
+// A pattern that grows a little, or much, or shrinks again, under the order of the first or not.
+TEST_P(LinearSolverTest, FollowsAPatternThatChanges) {
+  const BlockPattern net = test::hexagon_net(4, 3);
+  std::mt19937 generator(53);
+  std::uniform_int_distribution<Index> any(0, net.blocks() - 1);
+  for (const int pairs : {0, 1, 5, 300, 2}) {
+    BlockPattern pattern = net;
+    for (int k = 0; k < pairs; ++k) {
+      const Index i = any(generator);
+      pattern.couple(i, any(generator));
+    }
+    pattern.finish();
+    const BlockMatrix matrix = test::random_matrix(pattern, 54);
+    solver->analyse_again(pattern);
+    ASSERT_TRUE(solver->factor(matrix));
+    const std::vector<Vec3> b = test::random_vector(pattern.blocks(), 55);
+    std::vector<Vec3> x = b, product;
+    solver->solve(x);
+    matrix.multiply(x, product);
+    EXPECT_LE(test::distance(product, b), 1e-12 * test::norm(b)) << pairs;
+  }
+  const BlockPattern other = test::chain(7);
+  solver->analyse_again(other);
+  EXPECT_TRUE(solver->factor(test::random_matrix(other, 56)));
+}
+
 TEST_P(LinearSolverTest, SolvesStiffNetsToTheirCondition) {
   // A light chain of stiff springs, held at one end: condition about 1e8.
   const Index blocks = 1000;
