@@ -51,8 +51,8 @@ void combine(Mat12& m) {
     part(2) = 0.5 * (b + d);
     part(3) = 0.5 * (b - d);
   };
-  mix([&](int k) { return m.middleRows<3>(3 * k); });
-  mix([&](int k) { return m.middleCols<3>(3 * k); });
+  mix([&](int k) { return m.middleRows<3>(3L * k); });
+  mix([&](int k) { return m.middleCols<3>(3L * k); });
 }
 
 // What is left of the distance's own curvature without negative eigenvalues keeps Newton's steps
