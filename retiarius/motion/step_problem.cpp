@@ -41,12 +41,12 @@ StepProblem::StepProblem(std::vector<double> mass, const std::vector<Body>& bodi
 // Everything that depends on the pattern.
 void StepProblem::use_pattern(Order order) {
   matrix_.pattern = nullptr;
-  order_ = order;
+  order_ = Order::anew;
   solver_->expect_changes(!couplings_.empty());
   if (order == Order::anew)
     solver_->analyse(pattern_);
-  else
-    solver_->analyse_again(pattern_);
+  else if (solver_->analyse_again(pattern_))
+    order_ = Order::stays;
   if (gradients_) gradients_->analyse(pattern_);
   bind_laws();
   const std::size_t n = mass_.size();

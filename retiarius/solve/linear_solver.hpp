@@ -25,8 +25,12 @@ class LinearSolver {
   // Symbolic work: ordering, elimination tree, storage. Needed once for each pattern.
   virtual void analyse(const BlockPattern& pattern) = 0;
 
-  // As analyse(), for a pattern much like the last one: the order of elimination may stay.
-  virtual void analyse_again(const BlockPattern& pattern) { analyse(pattern); }
+  // As analyse(), for a pattern much like the last one: the order of elimination may stay. True if
+  // it does, so that analyse() might give another one.
+  virtual bool analyse_again(const BlockPattern& pattern) {
+    analyse(pattern);
+    return false;
+  }
 
   // Whether the next patterns will follow each other soon: then analyse() takes the first good
   // order instead of the best of several. Solvers without such a choice ignore it.

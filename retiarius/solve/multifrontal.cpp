@@ -18,7 +18,7 @@ namespace {
 
 // What a factorisation may cost under an old order, over the pattern that this was made for; beyond
 // it a new order is looked for.
-constexpr double kMostGrowth = 1.25;
+constexpr double kMostGrowth = 1.6;
 
 }  // namespace
 
@@ -28,13 +28,17 @@ void MultifrontalSolver::analyse(const BlockPattern& pattern) {
   use_analysis(pattern);
 }
 
-void MultifrontalSolver::analyse_again(const BlockPattern& pattern) {
-  if (!analysed_ || static_cast<std::size_t>(pattern.blocks()) != symbolic_.order.size())
-    return analyse(pattern);
-  Symbolic next = analyse_fronts(pattern, symbolic_.order);
-  if (next.cost > kMostGrowth * first_cost_) return analyse(pattern);
-  symbolic_ = std::move(next);
-  use_analysis(pattern);
+bool MultifrontalSolver::analyse_again(const BlockPattern& pattern) {
+  if (analysed_ && static_cast<std::size_t>(pattern.blocks()) == symbolic_.order.size()) {
+    Symbolic next = analyse_fronts(pattern, symbolic_.order);
+    if (next.cost <= kMostGrowth * first_cost_) {
+      symbolic_ = std::move(next);
+      use_analysis(pattern);
+      return true;
+    }
+  }
+  analyse(pattern);
+  return false;
 }
 
 void MultifrontalSolver::use_analysis(const BlockPattern& pattern) {

@@ -20,7 +20,7 @@ class MultifrontalSolver : public LinearSolver {
   std::string_view name() const override { return "multifrontal"; }
 
   void analyse(const BlockPattern& pattern) override;
-  void analyse_again(const BlockPattern& pattern) override;
+  bool analyse_again(const BlockPattern& pattern) override;
   void expect_changes(bool soon) override { trials_ = soon ? 1 : kOrderTrials; }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override {

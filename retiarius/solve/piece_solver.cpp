@@ -32,7 +32,7 @@ class PieceSolver : public LinearSolver {
     return always_ || with_pieces_ ? "pieces" : rest_->name();
   }
   void analyse(const BlockPattern& pattern) override;
-  void analyse_again(const BlockPattern& pattern) override;
+  bool analyse_again(const BlockPattern& pattern) override;
   void expect_changes(bool soon) override { rest_->expect_changes(soon); }
   bool factor(const BlockMatrix& matrix) override { return factor(matrix, nullptr); }
   void keep_parts(bool keep) override;
@@ -59,6 +59,7 @@ class PieceSolver : public LinearSolver {
 
  private:
   bool factor(const BlockMatrix& matrix, const std::vector<Index>* changed);
+  bool make_pieces(const BlockPattern& pattern);
   void number_batches();
   void mark_changes(const std::vector<Index>& changed);
   bool eliminate(const BlockMatrix& matrix);
@@ -101,9 +102,7 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
   analysed_ = factored_ = has_parts_ = false;
   blocks_ = pattern.blocks();
   pairs_ = pattern.pairs();
-  const Graph graph = block_graph(pattern);
-  batches_ = make_batches(pattern, graph, find_pieces(graph));
-  with_pieces_ = batches_.columns > 0 && (always_ || pays(batches_, blocks_));
+  with_pieces_ = make_pieces(pattern);
   if (!with_pieces_) {
     batches_ = PieceBatches();
     rest_->analyse(pattern);
@@ -118,12 +117,28 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
   analysed_ = true;
 }
 
+// Whether it pays to eliminate them first.
+bool PieceSolver::make_pieces(const BlockPattern& pattern) {
+  const Graph graph = block_graph(pattern);
+  batches_ = make_batches(pattern, graph, find_pieces(graph));
+  return batches_.columns > 0 && (always_ || pays(batches_, blocks_));
+}
+
 // Where pieces do not pay they hardly do with a few more pairs, which make them shorter.
-void PieceSolver::analyse_again(const BlockPattern& pattern) {
-  if (!analysed_ || with_pieces_ || pattern.blocks() != blocks_) return analyse(pattern);
+bool PieceSolver::analyse_again(const BlockPattern& pattern) {
+  if (!analysed_ || with_pieces_ || pattern.blocks() != blocks_) {
+    analyse(pattern);
+    return false;
+  }
   factored_ = has_parts_ = false;
   pairs_ = pattern.pairs();
-  rest_->analyse_again(pattern);
+  if (rest_->analyse_again(pattern)) return true;
+  if (make_pieces(pattern)) {
+    analyse(pattern);
+  } else {
+    batches_ = PieceBatches();
+  }
+  return false;
 }
 
 void PieceSolver::number_batches() {
