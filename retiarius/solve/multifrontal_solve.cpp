@@ -1,7 +1,6 @@
 // Solutions with the multifrontal solver's factor.
 #include <algorithm>
 #include <cstring>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -103,7 +102,8 @@ void MultifrontalSolver::backward(const Front& front, double* all, double* w) co
 void MultifrontalSolver::forward_all() const {
   std::fill(permuted_.begin() + static_cast<std::ptrdiff_t>(symbolic_.order.size()),
             permuted_.end(), Vec3::Zero());
-  double* const all = permuted_.empty() ? nullptr : permuted_.front().data();
+  if (permuted_.empty()) return;
+  double* const all = permuted_.front().data();
   each_task([&](std::size_t t) {
     const FrontTask& task = symbolic_.tasks[t];
     double* const w = front_vector_.data() + front_vectors_[t];
@@ -115,9 +115,10 @@ void MultifrontalSolver::forward_all() const {
 
 // ... and L^-T of it.
 void MultifrontalSolver::backward_all() const {
-  double* const all = permuted_.empty() ? nullptr : permuted_.front().data();
-  for (const Index f : std::views::reverse(symbolic_.top))
-    backward(symbolic_.fronts[f], all, front_vector_.data());
+  if (permuted_.empty()) return;
+  double* const all = permuted_.front().data();
+  for (std::size_t k = symbolic_.top.size(); k-- > 0;)
+    backward(symbolic_.fronts[symbolic_.top[k]], all, front_vector_.data());
   each_task([&](std::size_t t) {
     const FrontTask& task = symbolic_.tasks[t];
     double* const w = front_vector_.data() + front_vectors_[t];
@@ -149,7 +150,8 @@ void MultifrontalSolver::for_reached(const Body& body) const {
     if (!reached_[f]) continue;
     const auto begin = static_cast<std::size_t>(symbolic_.fronts[f].first);
     while (f + 1 < reached_.size() && reached_[f + 1]) ++f;
-    body(begin, static_cast<std::size_t>(symbolic_.fronts[f].first + symbolic_.fronts[f].columns));
+    const Front& last = symbolic_.fronts[f];
+    body(begin, static_cast<std::size_t>(last.first) + static_cast<std::size_t>(last.columns));
   }
 }
 

@@ -20,7 +20,7 @@ namespace retiarius {
 
 namespace {
 
-constexpr int kLanes = kernels::kPieceLanes;
+constexpr long kLanes = kernels::kPieceLanes;
 constexpr std::size_t kGrain = 8;      // batches that a thread takes at once
 constexpr std::size_t kBlocks = 2048;  // ... and blocks
 

@@ -39,7 +39,8 @@ Sparse scalar_matrix(const BlockMatrix& matrix) {
       add(pattern.rows()[k], c, matrix.below[k]);
     }
   }
-  Sparse sparse(3 * pattern.blocks(), 3 * pattern.blocks());
+  const Eigen::Index size = 3L * pattern.blocks();
+  Sparse sparse(size, size);
   sparse.setFromTriplets(entries.begin(), entries.end());
   return sparse;
 }
@@ -78,7 +79,7 @@ class ReferenceSolver : public LinearSolver {
                               x.size(), blocks_));
     }
     if (x.empty()) return;
-    Eigen::Map<Eigen::VectorXd> vector(x.front().data(), 3 * blocks_);
+    Eigen::Map<Eigen::VectorXd> vector(x.front().data(), 3L * blocks_);
     const Eigen::VectorXd solution = ldlt_.solve(vector);
     vector = solution;
   }
