@@ -31,7 +31,7 @@ auto block_of(const Mat12& hessian, Eigen::Index i, Eigen::Index j) {
   return hessian.block<3, 3>(3 * i, 3 * j);
 }
 
-// The nearest matrix without negative eigenvalues, of the first rows and columns.
+// Makes it the nearest matrix without negative eigenvalues.
 template <int size>
 void drop_negative(Eigen::Ref<Eigen::Matrix<double, size, size>, 0, Eigen::OuterStride<>> matrix) {
   using Matrix = Eigen::Matrix<double, size, size>;

@@ -104,7 +104,6 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
   pairs_ = pattern.pairs();
   with_pieces_ = make_pieces(pattern);
   if (!with_pieces_) {
-    batches_ = PieceBatches();
     rest_->analyse(pattern);
   } else {
     rest_->analyse(batches_.rest);
@@ -117,11 +116,13 @@ void PieceSolver::analyse(const BlockPattern& pattern) {
   analysed_ = true;
 }
 
-// Whether it pays to eliminate them first.
+// Whether it pays to eliminate them first; there are none where it does not.
 bool PieceSolver::make_pieces(const BlockPattern& pattern) {
   const Graph graph = block_graph(pattern);
   batches_ = make_batches(pattern, graph, find_pieces(graph));
-  return batches_.columns > 0 && (always_ || pays(batches_, blocks_));
+  const bool serve = batches_.columns > 0 && (always_ || pays(batches_, blocks_));
+  if (!serve) batches_ = PieceBatches();
+  return serve;
 }
 
 // Where pieces do not pay they hardly do with a few more pairs, which make them shorter.
@@ -133,11 +134,7 @@ bool PieceSolver::analyse_again(const BlockPattern& pattern) {
   factored_ = has_parts_ = false;
   pairs_ = pattern.pairs();
   if (rest_->analyse_again(pattern)) return true;
-  if (make_pieces(pattern)) {
-    analyse(pattern);
-  } else {
-    batches_ = PieceBatches();
-  }
+  if (make_pieces(pattern)) analyse(pattern);
   return false;
 }
 

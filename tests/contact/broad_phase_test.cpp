@@ -7,7 +7,7 @@
 
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/distance.hpp"
-#include "tests/contact/pair_samples.hpp"
+#include "tests/contact/tangle.hpp"
 
 namespace retiarius {
 namespace {
@@ -28,7 +28,7 @@ struct MovingScene {
     Material material;
     material.radius = 0.004;
     net.materials = {material};
-    for (int k = 0; k < threads; ++k) add_thread(random, segments);
+    for (int k = 0; k < threads; ++k) testing::add_thread(net, x, random, 1.0, segments);
     dx.resize(x.size());
     const Vec3 common = random.vector(0.3);
     for (Vec3& move : dx) move = common + random.vector(0.03);
@@ -36,18 +36,6 @@ struct MovingScene {
                                  ShapeKind::cylinder, ShapeKind::plane, ShapeKind::cone})
       add_body(random, kind);
     scene = make_collision_scene(net, bodies);
-  }
-
-  void add_thread(Stream& random, int segments) {
-    Vec3 place = random.vector(1.0), way = random.direction();
-    for (int k = 0; k <= segments; ++k) {
-      x.push_back(place);
-      const auto node = static_cast<Index>(x.size()) - 1;
-      if (k > 0) net.segments.push_back({node - 1, node, 0.1, 0, 0});
-      way = (way + 0.5 * random.direction()).normalized();
-      place += 0.1 * way;
-    }
-    net.design = x;
   }
 
   void add_body(Stream& random, ShapeKind kind) {

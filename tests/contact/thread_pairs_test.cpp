@@ -1,13 +1,14 @@
 #include "retiarius/contact/thread_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <gtest/gtest.h>
 
 #include "retiarius/base/parallel.hpp"
 #include "retiarius/contact/collision_scene.hpp"
-#include "tests/contact/pair_samples.hpp"
+#include "tests/contact/tangle.hpp"
 
 namespace retiarius {
 namespace {
@@ -27,17 +28,7 @@ struct Tangle {
     Material material;
     material.radius = 0.004;
     net.materials = {material};
-    for (int t = 0; t < threads; ++t) {
-      Vec3 place = random.vector(0.6), way = random.direction();
-      for (int k = 0; k <= segments; ++k) {
-        x.push_back(place);
-        const auto node = static_cast<Index>(x.size()) - 1;
-        if (k > 0) net.segments.push_back({node - 1, node, 0.1, 0, 0});
-        way = (way + 0.5 * random.direction()).normalized();
-        place += 0.1 * way;
-      }
-    }
-    net.design = x;
+    for (int t = 0; t < threads; ++t) testing::add_thread(net, x, random, 0.6, segments);
     still.assign(x.size(), Vec3::Zero());
     scene = make_collision_scene(net, {});
   }
@@ -130,7 +121,7 @@ TEST(ThreadPairs, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(results[0], results[2]);
 }
 
-// Segments at places that are no numbers have no pairs until they come back.
+// A place that is no number for once spoils nothing that comes after.
 TEST(ThreadPairs, SurvivePlacesThatAreNoNumbers) {
   Tangle s(9, 20, 15);
   ThreadPairs pairs(s.scene.net, nullptr, kSlack);

@@ -193,6 +193,37 @@ TEST_P(LinearSolverTest, FollowsAPatternThatChanges) {
   EXPECT_TRUE(solver->factor(test::random_matrix(other, 56)));
 }
 
+// Where the order stays it is told; where it does not, all is as with a solver of its own.
+TEST(AnalyseAgain, KeepsAnOrderWhileThatIsCheap) {
+  const BlockPattern net = test::hexagon_net(6, 2);
+  const auto grown = [&](int pairs) {
+    BlockPattern pattern = net;
+    std::mt19937 generator(57);
+    std::uniform_int_distribution<Index> any(0, net.blocks() - 1);
+    for (int k = 0; k < pairs; ++k) {
+      const Index i = any(generator);
+      pattern.couple(i, any(generator));
+    }
+    pattern.finish();
+    return pattern;
+  };
+  for (auto* make : {make_multifrontal_solver, make_net_solver}) {
+    const auto kept = make(), fresh = make();
+    kept->analyse(net);
+    EXPECT_TRUE(kept->analyse_again(grown(1)));
+    const BlockPattern large = grown(400);
+    EXPECT_FALSE(kept->analyse_again(large));
+    fresh->analyse(large);
+    const BlockMatrix matrix = test::random_matrix(large, 58);
+    std::vector<Vec3> x = test::random_vector(large.blocks(), 59), y = x;
+    ASSERT_TRUE(kept->factor(matrix));
+    ASSERT_TRUE(fresh->factor(matrix));
+    kept->solve(x);
+    fresh->solve(y);
+    EXPECT_EQ(x, y);
+  }
+}
+
 TEST_P(LinearSolverTest, SolvesStiffNetsToTheirCondition) {
   // A light chain of stiff springs, held at one end: condition about 1e8.
   const Index blocks = 1000;
